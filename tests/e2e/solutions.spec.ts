@@ -29,6 +29,7 @@ const SOLUTIONS: Record<string, string> = {
   e25: "x1.angle=81&x2.size=0.708",
   e26: "x1.size=0.63&x2.percent=80",
   e27: "x1.bytes=36&x2.s=0.7",
+  e29: "x1.s=0.5&x2.s=0.71",
   e28: "x1.turn=120&x2.shift=0.3",
 };
 

@@ -148,6 +148,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     e16: row(triangle(0.5), plane(shape("gasket").maps.slice(0, 2))),
     e17: row(plane(shape("gasket").maps), plane(shape("carpet").maps)),
     e18: row(rough([0, 0.7, 0.3, 0.9, 0.2], 0.25), rough([0, 0.7, 0.3, 0.9, 0.2], 0.5)),
+    e29: row(...[0.25, 0.5, 0.7].map((s) => rough([0, 1, 0], s))),
     e15: one("fern"),
     e11: pulled("gasket", [0.3, 0.2], 0, 1.2),
     e20: row(morph("dragon-3", "gasket", 0.5), morph("dragon-3", "gasket", 0.5, 1.75)),

@@ -175,6 +175,16 @@ const COURSE: readonly UnitEntry[] = [
         load: () => import("./lesson-18/page"),
         thumb: () => import("./lesson-18/thumb"),
       },
+      {
+        id: "e29",
+        title: "A tent, a hill, a cloud",
+        about: "Copies of copies on a tent: when is what they make smooth?",
+        minutes: 6,
+        after: ["e18"],
+        figures: ["c1"],
+        load: () => import("./lesson-29/page"),
+        thumb: () => import("./lesson-29/thumb"),
+      },
     ],
   },
   {

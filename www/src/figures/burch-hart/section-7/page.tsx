@@ -128,7 +128,8 @@ export function Page(heading: Heading) {
             {
               value: "linear",
               label: "go straight",
-              description: "Number by number: ends that meet stay together",
+              description:
+                "Number by number: where ends of copies meet in both shapes, they can meet all the way",
             },
           ]}
           value={mode}

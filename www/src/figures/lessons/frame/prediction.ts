@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { type Field, flag } from "../../kit/state/fields";
+import { type Field, flag, oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
 import { paper } from "./paper";
@@ -56,4 +56,9 @@ export function nearWords(
   if (off <= close) return "You saw it.";
   if (off <= fair) return "You were near.";
   return guess < truth ? "It is more than you thought." : "It is less than you thought.";
+}
+
+/** One of a few options, none of which is chosen at first. */
+export function useChoice<T extends string>(options: readonly { value: T }[]): Prediction<T> {
+  return usePrediction<T>(null, oneOf(options.map(({ value }) => value)));
 }

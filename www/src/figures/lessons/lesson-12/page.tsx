@@ -21,7 +21,7 @@ import { Choices, Reply } from "../frame/choices";
 import { Exercise } from "../frame/exercise";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { type Prediction, useChoice } from "../frame/prediction";
 import css from "./page.module.css";
 import { squarePicture } from "./photograph";
 import { TEACHING } from "./teaching";
@@ -48,7 +48,7 @@ const START_OF: Record<keyof typeof STARTS, Start> = {
 
 /** Hutchinson's theorem, seen. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Left>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<Left>(OPTIONS);
   return (
     <Lesson
       {...heading}

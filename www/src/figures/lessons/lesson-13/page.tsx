@@ -10,13 +10,13 @@ import { boxAround } from "../../kit/maps/morphs";
 import { apply, type Point } from "../../kit/maps/pieces";
 import { Drawn } from "../../kit/picture/annotated";
 import { Picture } from "../../kit/picture/picture";
-import { flag, list, number, oneOf, text } from "../../kit/state/fields";
+import { flag, list, number, text } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Exercise } from "../frame/exercise";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { type Prediction, useChoice } from "../frame/prediction";
 import { chosen, lean, leaning, PARTS } from "./maps";
 import css from "./page.module.css";
 import { TEACHING } from "./teaching";
@@ -25,7 +25,7 @@ const EVERY = PARTS.map(() => true);
 
 /** Barnsley's fern. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Lost>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<Lost>(OPTIONS);
   const fern = useMemo(() => preset("fern"), []);
   return (
     <Lesson

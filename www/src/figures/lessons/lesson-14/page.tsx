@@ -9,12 +9,12 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket } from "../../kit/maps/families";
 import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
-import { number, oneOf } from "../../kit/state/fields";
+import { number } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { type Prediction, useChoice } from "../frame/prediction";
 import { Exercises } from "./exercises";
 import { far, orbit, pushing, repeated, turning, weighed } from "./orbit";
 import { TEACHING } from "./teaching";
@@ -33,7 +33,7 @@ type Fate = "away" | "home" | "ring";
 
 /** Why maps must shrink. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Fate>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<Fate>(OPTIONS);
   return (
     <Lesson
       {...heading}

@@ -8,12 +8,12 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
 import { middles, PieceNames } from "../../kit/picture/annotated";
-import { number, oneOf } from "../../kit/state/fields";
+import { number } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { type Prediction, useChoice } from "../frame/prediction";
 import { byArea, marksIn, play, share } from "./dice";
 import { Evenly, Shares } from "./exercises";
 import { Shade } from "./shade";
@@ -32,7 +32,7 @@ const FAIR = [1, 1, 1, 1] as const;
 
 /** The chances of the die: not the shape, but its shade. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Seen>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<Seen>(OPTIONS);
   return (
     <Lesson
       {...heading}

@@ -7,12 +7,11 @@ import { HEIGHT } from "../../kit/maps/families";
 import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
 import { Drawn, PieceNames } from "../../kit/picture/annotated";
-import { oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { type Prediction, useChoice } from "../frame/prediction";
 import { firstDigits, pointOf } from "./address";
 import { Exercises } from "./exercises";
 import css from "./page.module.css";
@@ -23,7 +22,7 @@ import { Zoom } from "./zoom";
 
 /** Addresses. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Spot>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<Spot>(OPTIONS);
   return (
     <Lesson
       {...heading}

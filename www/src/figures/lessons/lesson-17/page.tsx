@@ -22,7 +22,7 @@ import { Choices, Reply } from "../frame/choices";
 import { Exercise } from "../frame/exercise";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { type Prediction, useChoice } from "../frame/prediction";
 import { boxesOf, GRIDDED, moran } from "./boxes";
 import { TooMuch } from "./overlap";
 import css from "./page.module.css";
@@ -35,7 +35,7 @@ const option = (value: Name) => ({ value, label: NAMES[value] });
 
 /** Dimension, by boxes. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Times>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<Times>(OPTIONS);
   return (
     <Lesson
       {...heading}

@@ -6,12 +6,12 @@ import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
-import { list, number, oneOf } from "../../kit/state/fields";
+import { list, number } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { type Prediction, useChoice } from "../frame/prediction";
 import { Curve } from "./curve";
 import { Half, Sparing } from "./exercises";
 import { climb, dimension, isStraight, mapsOf, samples } from "./rough";
@@ -26,7 +26,7 @@ type Start = "any" | "quarter" | "half" | "never";
 
 /** Fractal functions, and what makes them rough. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Start>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<Start>(OPTIONS);
   return (
     <Lesson
       {...heading}

@@ -7,11 +7,11 @@ import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
-import { number, oneOf } from "../../kit/state/fields";
+import { number } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { type Prediction, useChoice } from "../frame/prediction";
 import { bound, GOOD, mapOf } from "./collage";
 import { HowLarge, Promise25 } from "./exercises";
 import { Game, madeWords, useCollage, useMade } from "./game";
@@ -20,7 +20,7 @@ import { TEACHING } from "./teaching";
 
 /** The collage theorem. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Most>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<Most>(OPTIONS);
   const made = useMemo(() => ({ name: "Covered leaf", maps: GOOD.map(mapOf) }), []);
   return (
     <Lesson

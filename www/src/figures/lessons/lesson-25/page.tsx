@@ -1,14 +1,20 @@
 import { fixed } from "#format/numbers";
-import { Formula } from "../../kit/frame/formula";
-import type { Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";
 import { mapsOf } from "../../kit/locus/set-m";
 import { tex } from "../../kit/notation/tex";
-import { oneOf, whole } from "../../kit/state/fields";
-import { useKept } from "../../kit/state/kept";
-import { Choices, Reply } from "../frame/choices";
-import { Lesson, Question, Truth } from "../frame/lesson";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { whole } from "../../kit/state/fields";
+import {
+  Choices,
+  Formula,
+  type Heading,
+  Lesson,
+  type Prediction,
+  Question,
+  Reply,
+  Truth,
+  useChoice,
+  useKept,
+} from "../frame/parts";
 import { Exercises } from "./exercises";
 import { Walk } from "./shape";
 import { TEACHING } from "./teaching";
@@ -32,7 +38,7 @@ const OPTIONS = [
 
 /** The edge of M, met on a walk along a circle. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Times>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<Times>(OPTIONS);
   const [degrees, setDegrees] = useKept("angle", 24, whole(0, 90));
   return (
     <Lesson

@@ -3,8 +3,6 @@ import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import { Plot } from "../../kit/chart/plot";
 import { SliderControl } from "../../kit/frame/control";
-import { Formula } from "../../kit/frame/formula";
-import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip } from "../../kit/frame/verdict";
@@ -13,12 +11,20 @@ import { boxAround } from "../../kit/maps/morphs";
 import { tex } from "../../kit/notation/tex";
 import { Picture } from "../../kit/picture/picture";
 import { number } from "../../kit/state/fields";
-import { useKept } from "../../kit/state/kept";
 import { useVerdict } from "../../kit/workers";
-import { Guess } from "../frame/choices";
-import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
-import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
+import {
+  Formula,
+  Guess,
+  type Heading,
+  Lesson,
+  nearWords,
+  type Prediction,
+  Question,
+  Truth,
+  useKept,
+  usePrediction,
+} from "../frame/parts";
 import { onCircle } from "../lesson-25/walk";
 import { Exercises } from "./exercises";
 import { dustDimension, PLANE } from "./size";

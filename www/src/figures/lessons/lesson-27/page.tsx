@@ -2,18 +2,24 @@ import { useMemo } from "preact/hooks";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { SliderControl } from "../../kit/frame/control";
-import { Formula } from "../../kit/frame/formula";
-import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
 import { Picture } from "../../kit/picture/picture";
 import { whole } from "../../kit/state/fields";
-import { useKept } from "../../kit/state/kept";
-import { Guess } from "../frame/choices";
-import { Lesson, Question, Truth } from "../frame/lesson";
-import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
+import {
+  Formula,
+  Guess,
+  type Heading,
+  Lesson,
+  nearWords,
+  type Prediction,
+  Question,
+  Truth,
+  useKept,
+  usePrediction,
+} from "../frame/parts";
 import { Exercises } from "./exercises";
 import { fewestFor, LEAF, MOST_DIGITS, NEAR, promise, rounded } from "./rounded";
 import { TEACHING } from "./teaching";
@@ -113,6 +119,9 @@ export function Digits({ value, onChange }: { value: number; onChange: (digits: 
   );
 }
 
+/** A promise is kept by what is rounded up alone. */
+const roundedUp = (x: number, digits: number) => Math.ceil(x * 10 ** digits) / 10 ** digits;
+
 function HowMany({ prediction }: { prediction: Prediction<number> }) {
   const truth = fewestFor(NEAR);
   const guess = prediction.guess ?? 1;
@@ -129,7 +138,7 @@ function HowMany({ prediction }: { prediction: Prediction<number> }) {
       }
       answer={
         <Truth
-          line={`You said ${guess}. With ${truth} digits it is surely within ${fixed(promise(LEAF, rounded(LEAF, truth)), 4)}. ${nearWords(guess, truth, { close: 0, fair: 1 })}`}
+          line={`You said ${guess}. With ${truth} digits it is surely within ${fixed(roundedUp(promise(LEAF, rounded(LEAF, truth)), 4), 4)}. ${nearWords(guess, truth, { close: 0, fair: 1 })}`}
         >
           <p>
             Rounding moves what a map makes of a point by some small distance <Formula>c</Formula> at most. In

@@ -35,6 +35,14 @@ it("keeps what it promises, address by address", () => {
   }
 });
 
+it("promises what teachers are told", () => {
+  const at = (digits: number) => promise(LEAF, rounded(LEAF, digits));
+  expect(at(3)).toBeLessThan(0.0017);
+  expect(at(3)).toBeGreaterThan(0.0016);
+  expect(at(2)).toBeLessThan(0.036);
+  expect(at(2)).toBeGreaterThan(0.035);
+});
+
 it("finds the fewest digits", () => {
   const digits = fewestFor(NEAR);
   expect(promise(LEAF, rounded(LEAF, digits))).toBeLessThanOrEqual(NEAR);

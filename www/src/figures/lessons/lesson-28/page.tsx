@@ -1,14 +1,20 @@
 import { useMemo } from "preact/hooks";
 import { loadSpace } from "#wasm/space";
 import { inSpaceTool } from "../../darwish/space/tool-link";
-import { Formula } from "../../kit/frame/formula";
-import type { Heading } from "../../kit/frame/frame";
 import { tex } from "../../kit/notation/tex";
-import { oneOf, whole } from "../../kit/state/fields";
-import { useKept } from "../../kit/state/kept";
-import { Choices, Reply } from "../frame/choices";
-import { Lesson, Question, Truth } from "../frame/lesson";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { whole } from "../../kit/state/fields";
+import {
+  Choices,
+  Formula,
+  type Heading,
+  Lesson,
+  type Prediction,
+  Question,
+  Reply,
+  Truth,
+  useChoice,
+  useKept,
+} from "../frame/parts";
 import { Exercises } from "./exercises";
 import { TEACHING } from "./teaching";
 import { SHAPE, turnedMaps } from "./turned";
@@ -35,7 +41,7 @@ export const needs = [loadSpace];
 
 /** A shape is turned by turning its maps. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<What>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<What>(OPTIONS);
   const [degrees, setDegrees] = useKept("turn", 0, whole(0, 360));
   const maps = useMemo(() => turnedMaps(SHAPE, degrees), [degrees]);
   return (

@@ -10,11 +10,10 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { determinant, gasket, turnedGasket } from "../../kit/maps/families";
 import { boxAround, determinants, type Ends, mapsAt } from "../../kit/maps/morphs";
 import { Picture } from "../../kit/picture/picture";
-import { oneOf } from "../../kit/state/fields";
 import { Time, useTime } from "../../kit/time/time";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
-import { type Prediction, usePrediction } from "../frame/prediction";
+import { type Prediction, useChoice } from "../frame/prediction";
 import { Halved, Stopped } from "./exercises";
 import { flagPath, turned } from "./flag";
 import flagCss from "./flag.module.css";
@@ -32,7 +31,7 @@ type Halfway = "same" | "half" | "point" | "mirror";
 
 /** Why polar. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Halfway>(null, oneOf(OPTIONS.map(({ value }) => value)));
+  const prediction = useChoice<Halfway>(OPTIONS);
   const time = useTime(0.5);
   return (
     <Lesson
