@@ -3,6 +3,7 @@ import { thumbnails } from "#compute/results";
 import { thumbnailsOf } from "#compute/thumbnails";
 import { announce, notify, wordsOf } from "#document/notice";
 import { LONGEST_NAME, type OwnShape, ownShapes, removeOwnShape, renameOwnShape } from "#document/own-shapes";
+import { withWeights } from "#geometry/maps/weighted";
 import { IconButton } from "#ui/controls/Button";
 import { NameInput } from "#ui/shapes/NameInput";
 import { mapsNote } from "#ui/shapes/ShapeGrid";
@@ -13,8 +14,14 @@ import css from "./own-shapes.module.css";
 
 const pictureOf = (id: string) => `own-${id}`;
 
+interface OwnShapesProps {
+  onChoose: (shape: Shape) => void;
+  /** Two in the width of a panel. */
+  small?: boolean;
+}
+
 /** The shapes that a person keeps, to choose one from, to rename and to remove. Nothing where there are none. */
-export function OwnShapes({ onChoose }: { onChoose: (shape: Shape) => void }) {
+export function OwnShapes({ onChoose, small = false }: OwnShapesProps) {
   const shapes = ownShapes.value;
   // biome-ignore lint/correctness/useExhaustiveDependencies: a signal: other shapes are to have their pictures.
   useEffect(() => thumbnailsOf(shapes.map(({ id, maps }) => ({ id: pictureOf(id), maps }))), [shapes]);
@@ -22,7 +29,7 @@ export function OwnShapes({ onChoose }: { onChoose: (shape: Shape) => void }) {
   return (
     <section class={css["own-shapes"]} aria-label="Your shapes">
       <h3>Yours</h3>
-      <ul class={css["list"]}>
+      <ul class={`${css["list"]} ${small ? css["small"] : ""}`}>
         {shapes.map((shape) => (
           <Item key={shape.id} shape={shape} onChoose={onChoose} />
         ))}
@@ -32,14 +39,14 @@ export function OwnShapes({ onChoose }: { onChoose: (shape: Shape) => void }) {
 }
 
 function Item({ shape, onChoose }: { shape: OwnShape; onChoose: (shape: Shape) => void }) {
-  const { id, name, maps } = shape;
+  const { id, name, maps, weights } = shape;
   const [naming, setNaming] = useState(false);
   const tell = (problem: string | null, done: string) =>
     problem === null ? announce(done) : notify({ kind: "info", text: problem });
   const take = () => {
     try {
       frond.validate({ maps });
-      onChoose({ name, maps });
+      onChoose(withWeights({ name, maps }, weights));
     } catch (problem) {
       notify({ kind: "info", text: `${name} cannot be used: ${wordsOf(problem)}` });
     }

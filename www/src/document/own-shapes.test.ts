@@ -57,6 +57,24 @@ it("keeps sixty and no more", async () => {
   expect(ownShapes.value).toHaveLength(60);
 });
 
+it("keeps the weights of a shape, and none that are no weights", async () => {
+  const { keepShape, ownShapes, readShapes } = await opened();
+  keepShape({ ...HALF, weights: [3] });
+  expect(ownShapes.value[0]?.weights).toEqual([3]);
+  expect(readShapes([...storage.values()][0] ?? null)[0]?.weights).toEqual([3]);
+  for (const weights of [[], [1, 2], [-1], [0], ["1"], 3, null])
+    expect(readShapes(JSON.stringify([{ id: "a", name: "A", maps: HALF.maps, weights }]))).toEqual([
+      { id: "a", name: "A", maps: HALF.maps },
+    ]);
+});
+
+it("calls a copy by the next number that is free", async () => {
+  const { copyName } = await opened();
+  expect(copyName("Fern", new Set())).toBe("Fern 2");
+  expect(copyName("Fern 2", new Set(["Fern", "Fern 2", "Fern 3"]))).toBe("Fern 4");
+  expect(copyName("x".repeat(60), new Set())).toHaveLength(58);
+});
+
 it("passes over what is no shape", async () => {
   const { readShapes } = await opened();
   const good = { id: "a", name: "A", maps: HALF.maps };

@@ -6,6 +6,7 @@ export interface OwnShape {
   id: string;
   name: string;
   maps: MapRow[];
+  weights?: number[];
 }
 
 const KEY = "frond.shapes";
@@ -20,10 +21,25 @@ const kept = signal<readonly OwnShape[]>(load());
 export const ownShapes: ReadonlySignal<readonly OwnShape[]> = kept;
 
 /** Keeps a shape as it is now. What stands in the way of that comes back in words. */
-export function keepShape({ name, maps }: Shape): string | null {
+export function keepShape({ name, maps, weights }: Shape): string | null {
   if (kept.peek().length >= MOST_SHAPES)
     return `There are ${MOST_SHAPES} shapes of yours, and no more are kept. Remove one first.`;
-  return save([{ id: crypto.randomUUID(), name: name.slice(0, LONGEST_NAME), maps }, ...kept.peek()]);
+  const one = {
+    id: crypto.randomUUID(),
+    name: name.slice(0, LONGEST_NAME),
+    maps,
+    ...(weights ? { weights } : {}),
+  };
+  return save([one, ...kept.peek()]);
+}
+
+/** What a copy is called: "Fern 2" of "Fern", the next number that is free. */
+export function copyName(name: string, taken: ReadonlySet<string>): string {
+  const stem = name.replace(/ \d+$/, "").slice(0, LONGEST_NAME - 4);
+  for (let number = 2; ; number++) {
+    const next = `${stem} ${number}`;
+    if (next !== name && !taken.has(next)) return next;
+  }
 }
 
 export function renameOwnShape(id: string, name: string): string | null {
@@ -50,10 +66,16 @@ export function readShapes(text: string | null): OwnShape[] {
 
 function sound(row: unknown): OwnShape | null {
   if (typeof row !== "object" || row === null) return null;
-  const { id, name, maps } = row as Record<string, unknown>;
+  const { id, name, maps, weights } = row as Record<string, unknown>;
   if (typeof id !== "string" || typeof name !== "string" || !Array.isArray(maps)) return null;
   if (maps.length === 0 || maps.length > MOST_MAPS || !maps.every(isMap)) return null;
-  return { id, name: name.slice(0, LONGEST_NAME), maps };
+  const one = { id, name: name.slice(0, LONGEST_NAME), maps };
+  return areWeights(weights, maps.length) ? { ...one, weights } : one;
+}
+
+function areWeights(list: unknown, count: number): list is number[] {
+  if (!Array.isArray(list) || list.length !== count) return false;
+  return list.every((weight) => Number.isFinite(weight) && weight >= 0) && list.some((weight) => weight > 0);
 }
 
 function isMap(map: unknown): map is MapRow {

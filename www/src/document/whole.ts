@@ -3,6 +3,7 @@
  * it (Darwish & Abd-El-Wahab, eq 1). The document keeps the maps; how the shape was when it was taken is remembered
  * beside them, so that no rounding adds up, and what is undone is as it was.
  */
+import { withWeights } from "#geometry/maps/weighted";
 import type { MapRow, Shape } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { edit, scene } from "./scene";
@@ -30,7 +31,10 @@ export function placeShape(end: "a" | "b", moved: MapRow | null, options: { gest
   const { made } = takenOf(scene.peek()[end]);
   const still = moved === null || moved.every((x, i) => x === STILL[i]);
   const shape = still ? made : conjugated(made, moved);
-  edit((before) => (before[end].maps === shape.maps ? before : { ...before, [end]: shape }), options);
+  edit((before) => {
+    const { maps, weights } = before[end];
+    return maps === shape.maps ? before : { ...before, [end]: withWeights(shape, weights) };
+  }, options);
 }
 
 function conjugated(made: Shape, moved: MapRow): Shape {

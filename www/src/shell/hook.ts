@@ -6,7 +6,8 @@ import { pictureShown } from "#document/deform/picture";
 import { linear, selection, shown } from "#document/morph";
 import { spaceShown } from "#document/playback";
 import { scene } from "#document/scene";
-import { stageStyle } from "#stage/picture-style";
+import { weighted } from "#geometry/maps/weighted";
+import { shownWeights, stageStyle } from "#stage/picture-style";
 import { linearPainter, linearPicture, mainPainter, picture } from "#stage/stage";
 import { bentPicture } from "#stage/surface/sheet";
 import type { Pixels } from "#stage/surface/surface";
@@ -82,10 +83,14 @@ async function twin(which: Which = "main"): Promise<Pixels> {
   if (photograph) {
     return bentPicture(photograph, { bend: bent, parts: deformation.peek().parts, view, width, height });
   }
-  const data = frond.rasterize(
-    { maps },
-    { width, height, view, colouring, palette, ...(bent ? { bend: bent } : {}) },
-  );
+  const data = frond.rasterize(weighted(maps, shownWeights.peek()), {
+    width,
+    height,
+    view,
+    colouring,
+    palette,
+    ...(bent ? { bend: bent } : {}),
+  });
   return { width, height, data };
 }
 

@@ -13,6 +13,7 @@ import { scene } from "#document/scene";
 import { endsOf } from "#document/stand-in";
 import { stepsSubject } from "#film/steps";
 import type { Still } from "#film/subject";
+import { shownWeights } from "#stage/picture-style";
 import { effectiveView, stageSize } from "#stage/view";
 import { NIGHT, PAPER } from "#style/colours";
 import { isDark } from "#style/ground";
@@ -33,6 +34,7 @@ export async function stageStill(): Promise<Still> {
   const way = photograph ? null : directedWay.peek();
   const bent = selection.peek() ? null : bend.peek();
   const maps = shown.peek();
+  const weights = shownWeights.peek();
   const { parts } = deformation.peek();
   const s = curveTime.peek();
   const ground = dark.peek() ? NIGHT : PAPER;
@@ -47,7 +49,7 @@ export async function stageStill(): Promise<Still> {
     if (way) return directedDrawer(look, way, colouring, () => ({ t, view }));
     const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
     const options = { view, colouring, palette: colours, ...(bent ? { bend: bent } : {}) };
-    return planeDrawer(look, alone, () => ({ maps, options }));
+    return planeDrawer(look, alone, () => ({ maps, weights, options }));
   };
 
   return {

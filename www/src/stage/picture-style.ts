@@ -1,5 +1,6 @@
-import { computed, type ReadonlySignal } from "@preact/signals";
+import { computed, effect, type ReadonlySignal } from "@preact/signals";
 import { pieceColours } from "#document/colours";
+import { ownWeights } from "#document/own-weights";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import type { RenderStyle } from "#wasm/core";
@@ -11,3 +12,13 @@ export const stageStyle: ReadonlySignal<RenderStyle> = computed(() => ({
   colouring: colouring.value,
   palette: pieceColours(dark.value ? "dark" : "light"),
 }));
+
+/** How often the chaos game takes each map, where that is to be seen: without a density no pixel hangs on it. */
+export const shownWeights: ReadonlySignal<number[] | undefined> = computed(() =>
+  colouring.value === "density" ? ownWeights.value : undefined,
+);
+
+effect(() => {
+  const { a, b } = scene.value;
+  if (a.weights ?? b.weights) void import("#document/weights");
+});

@@ -11,6 +11,7 @@ import { effectiveView, stageSize } from "./view";
 
 interface PictureProps {
   maps: ReadonlySignal<MapRow[]>;
+  weights?: ReadonlySignal<number[] | undefined>;
   bend: ReadonlySignal<Bend | null>;
   /** What takes the place of the attractor. */
   photograph?: ReadonlySignal<Photograph | null>;
@@ -24,7 +25,16 @@ interface PictureProps {
 const MOST_PIXELS = 8192;
 
 /** One canvas that shows one attractor, sized to its place down to the device pixel. */
-export function Picture({ maps, bend, photograph, backend, main = false, onState, onPainter }: PictureProps) {
+export function Picture({
+  maps,
+  weights,
+  bend,
+  photograph,
+  backend,
+  main = false,
+  onState,
+  onPainter,
+}: PictureProps) {
   const host = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const element = host.current;
@@ -49,6 +59,7 @@ export function Picture({ maps, bend, photograph, backend, main = false, onState
       painter.show({
         ...size,
         maps: maps.value,
+        weights: weights?.value,
         bend: bend.value,
         picture: photograph?.value ?? null,
         view: effectiveView.value,
@@ -63,7 +74,7 @@ export function Picture({ maps, bend, photograph, backend, main = false, onState
       onPainter?.(null);
       painter.close();
     };
-  }, [maps, bend, photograph, backend, main, onState, onPainter]);
+  }, [maps, weights, bend, photograph, backend, main, onState, onPainter]);
   return <div ref={host} class="picture" />;
 }
 

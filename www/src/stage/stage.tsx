@@ -11,6 +11,7 @@ import { tool } from "#document/tool";
 import { lazily } from "#ui/lazy";
 import { stageKey } from "./gestures";
 import { Picture } from "./picture";
+import { shownWeights } from "./picture-style";
 import css from "./stage.module.css";
 import {
   type MainPainter,
@@ -109,6 +110,7 @@ export function Stage({
           ) : (
             <Picture
               maps={mainMaps}
+              weights={shownWeights}
               bend={mainBend}
               photograph={pictureShown}
               backend={backend}
@@ -124,6 +126,7 @@ export function Stage({
           <div class="pane">
             <Picture
               maps={linear}
+              weights={shownWeights}
               bend={mainBend}
               backend={backend}
               onState={setLinearPicture}

@@ -1,4 +1,5 @@
 /** What the command answers without a picture: loci, verdicts, checks of proofs, and maps for other programs. */
+import { weighted } from "#geometry/maps/weighted";
 import type { ExportFormat, Ifs } from "#wasm/api";
 import { morphOf, type NamedMaps, opened, withColours } from "./morph";
 import { endOf, number, type Options, outOf, Refusal, whole } from "./options";
@@ -41,15 +42,15 @@ async function mapsOf(subject: string, options: Options, system: System): Promis
       if (systems.length > 1) system.tell(`The first of ${systems.length} systems: ${first.name}`);
       if (first.maps.some((map) => map.length !== 6))
         throw new Refusal(`${subject} holds maps of space: open it in the studio, in Space.`);
-      const { name, maps, colours } = first;
-      return { name, maps: maps as Ifs["maps"], ...(colours ? { colours } : {}) };
+      const { name, maps, probabilities, colours } = first;
+      return { ...weighted(maps as Ifs["maps"], probabilities), name, ...(colours ? { colours } : {}) };
     }
     if (inside === undefined) throw new Refusal(`There are no maps in ${subject}.`);
     link = inside;
   }
   const { scene, at } = await morphOf(await opened(link, system), system);
   const [ifs] = await at([number(options, "t", 0, 1, scene.t)]);
-  return withColours(ifs?.maps ?? [], `${scene.a.name} to ${scene.b.name}`, scene);
+  return withColours(ifs ?? { maps: [] }, `${scene.a.name} to ${scene.b.name}`, scene);
 }
 
 export async function connectedness(subject: string, options: Options, system: System): Promise<number> {

@@ -1,7 +1,8 @@
 /** Links, and the morphs that they say. */
 import { bendAt } from "#geometry/bend";
+import { weighted } from "#geometry/maps/weighted";
 import { pointsOf, uvAt } from "#geometry/path";
-import type { Ifs, Scene } from "#wasm/api";
+import type { Ifs, Scene, Shape } from "#wasm/api";
 import { Refusal } from "./options";
 import type { System } from "./system";
 
@@ -14,6 +15,8 @@ export async function opened(link: string, system: System): Promise<Scene> {
   if (problem) throw new Refusal(`The link cannot be read: ${problem.message}`);
   return scene;
 }
+
+const systemOf = ({ maps, weights }: Shape): Ifs => weighted(maps, weights);
 
 /** A morph as a link says it, and how to get on its way. */
 export async function morphOf(scene: Scene, system: System) {
@@ -28,14 +31,14 @@ export async function morphOf(scene: Scene, system: System) {
   if (scene.tool === "space")
     throw new Refusal("This link is of space, of which the command only draws pictures: frond render.");
   const draw = await system.draw();
-  const { from, to } = draw.pair({ maps: scene.a.maps }, { maps: scene.b.maps });
+  const { from, to, probabilities: [p, q] = [] } = draw.pair(systemOf(scene.a), systemOf(scene.b));
   const fitting = <T>(list: T[]) => (list.length === from.length ? list : []);
   const morph = {
     mode: scene.mode,
     ...(fitting(scene.correspondence).length > 0 ? { correspondence: scene.correspondence } : {}),
     ...(fitting(scene.turns).length > 0 ? { turns: scene.turns } : {}),
   };
-  const ends: [Ifs, Ifs] = [{ maps: from }, { maps: to }];
+  const ends: [Ifs, Ifs] = [weighted(from, p), weighted(to, q)];
   const planned = async (): Promise<Scene["path"]> => {
     const { path } = scene;
     if (path.kind !== "auto" || path.points.length > 0) return path;
@@ -57,9 +60,9 @@ export async function morphOf(scene: Scene, system: System) {
 export type NamedMaps = Ifs & { name: string; colours?: string[] };
 
 /** Those of a document, one a map. */
-export function withColours(maps: Ifs["maps"], name: string, { palette }: Scene): NamedMaps {
-  if (!palette || palette.length === 0) return { maps, name };
-  return { maps, name, colours: maps.map((_, i) => palette[i % palette.length] ?? "") };
+export function withColours(ifs: Ifs, name: string, { palette }: Scene): NamedMaps {
+  if (!palette || palette.length === 0) return { ...ifs, name };
+  return { ...ifs, name, colours: ifs.maps.map((_, i) => palette[i % palette.length] ?? "") };
 }
 
 /** How a link bends its shape at a moment of its bending; null where it does not. */

@@ -58,7 +58,7 @@ async function planeShown(scene: Scene, system: System): Promise<Shown> {
     still: bending && (deform?.keys.length ?? 0) < 2 ? "it has one key frame, and so stands still" : null,
     ...(bend
       ? {}
-      : { plain: async (moment) => withColours((await mapsAt([moment]))[0]?.maps ?? [], name, scene) }),
+      : { plain: async (moment) => withColours((await mapsAt([moment]))[0] ?? { maps: [] }, name, scene) }),
     async frames(moments, { width, height, ground }) {
       const looks = moments.length === 1 ? moments : Array.from({ length: LOOKS }, (_, i) => i / (LOOKS - 1));
       const seen = await mapsAt(looks);

@@ -14,6 +14,7 @@ import { loadExchange } from "#wasm/exchange";
 import { whenOpen } from "../tools";
 import { intoMorph, type Where } from "./morph";
 import { HEAD_BYTES, mayHoldLink, tellFile } from "./tell";
+import { weightsOf, weightsWords } from "./weights";
 
 /** A file of several systems, of which one is to be chosen. */
 export interface Choice {
@@ -156,12 +157,6 @@ function openMaps(file: string, { systems, remarks, link }: ImportedFile): void 
   else if (first) void take(file, first, remarks);
 }
 
-/** Shapes are drawn whole: how often the chaos game takes a map is no part of a document. */
-function weightsWords({ probabilities = [] }: ImportedSystem): string[] {
-  const uneven = probabilities.some((weight) => weight !== probabilities[0]);
-  return uneven ? ["Its weights are not kept: shapes are drawn whole, however often a map is taken."] : [];
-}
-
 /** Opens a system: of the plane in Morph, of space there. What was said of it is said once it is there. */
 export async function take(
   file: string,
@@ -171,9 +166,9 @@ export async function take(
 ): Promise<void> {
   const name = system.name || file.replace(ENDING, "") || "Maps";
   const coloured = system.colours && where !== "b" ? ["Its colours are kept."] : [];
-  const said = [...system.remarks, ...remarks, ...weightsWords(system), ...coloured].join(" ");
   try {
     if (system.problem) throw new Error(system.problem);
+    const said = [...system.remarks, ...remarks, ...weightsWords(system), ...coloured].join(" ");
     if (system.dimension === 3) {
       const [from, step] = [tool.peek(), lastStep()];
       await whenOpen("space");
@@ -181,7 +176,8 @@ export async function take(
       takeFound({ name, maps: system.maps }, said);
       cameFrom(from, step);
     } else {
-      await intoMorph({ name, maps: system.maps, colours: system.colours }, where, said);
+      const { maps, colours } = system;
+      await intoMorph({ name, maps, weights: weightsOf(system), colours }, where, said);
     }
   } catch (problem) {
     notify({

@@ -3,6 +3,7 @@ import { editSystems } from "#document/curve/systems";
 import { selection } from "#document/morph";
 import { dismiss, notify } from "#document/notice";
 import { lastStep, scene, undo } from "#document/scene";
+import { withWeights } from "#geometry/maps/weighted";
 import { choose, type End } from "#tools/morph/changes";
 import type { MapRow, Scene } from "#wasm/api";
 
@@ -12,6 +13,8 @@ export type Where = "a" | "b" | "both";
 interface Own {
   name: string;
   maps: MapRow[];
+  /** How often the chaos game takes each map. */
+  weights?: number[] | undefined;
   /** "#rrggbb", one a map. */
   colours?: string[] | undefined;
 }
@@ -19,8 +22,8 @@ interface Own {
 /** The document with the system at one end or both, and the moment where it is seen. */
 export function withSystem(before: Scene, system: Own, where: Where): Scene {
   const ends: End[] = where === "both" ? ["a", "b"] : [where];
-  const { name, maps } = system;
-  const { tool: _tool, ...taken } = ends.reduce((now, end) => choose(now, end, { name, maps }), before);
+  const shape = withWeights({ name: system.name, maps: system.maps }, system.weights);
+  const { tool: _tool, ...taken } = ends.reduce((now, end) => choose(now, end, shape), before);
   const { at: _at, ...locus } = taken.locus ?? {};
   // Colours are those of the maps of A.
   const { palette: earlier, ...rest } = taken;

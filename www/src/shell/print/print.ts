@@ -9,6 +9,8 @@ import { selection, shown } from "#document/morph";
 import { scene } from "#document/scene";
 import { endsOf, standIn } from "#document/stand-in";
 import { percent } from "#format/path-words";
+import { weighted } from "#geometry/maps/weighted";
+import { shownWeights } from "#stage/picture-style";
 import { effectiveView, stageSize } from "#stage/view";
 import { WHITE } from "#style/colours";
 import type { NamedMaps } from "#ui/files/exporting";
@@ -83,7 +85,9 @@ function atOnce(): HTMLElement {
       ...(bent ? { bend: bent } : {}),
     };
     try {
-      const pixels = new Uint8ClampedArray(frond.rasterize({ maps: shown.peek() }, options));
+      const pixels = new Uint8ClampedArray(
+        frond.rasterize(weighted(shown.peek(), shownWeights.peek()), options),
+      );
       canvas.getContext("2d")?.putImageData(new ImageData(pixels, canvas.width, canvas.height), 0, 0);
       return canvas;
     } catch {

@@ -15,8 +15,8 @@ export class Accelerated implements Surface {
     this.canvas = canvas;
   }
 
-  setMaps(maps: MapRow[]): void {
-    this.#renderer.setIfs(new Float64Array(maps.flat()));
+  setMaps(maps: MapRow[], weights: number[] | undefined): void {
+    this.#renderer.setIfs(new Float64Array(maps.flat()), weights && new Float64Array(weights));
   }
 
   setPicture(picture: Photograph | null): void {

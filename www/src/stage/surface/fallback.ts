@@ -8,10 +8,11 @@ import { type Channel, type Job, single } from "#workers/pool/protocol";
 import { partsOf, SheetPainter } from "./sheet";
 import type { Drawn, Pixels, Surface } from "./surface";
 
-const KEYS = ["maps", "bend", "view", "style", "width", "height"] as const;
+const KEYS = ["maps", "weights", "bend", "view", "style", "width", "height"] as const;
 
 interface Request {
   maps: MapRow[];
+  weights: number[] | undefined;
   bend: Bend | null;
   view: View;
   style: RenderStyle;
@@ -39,10 +40,10 @@ export class Fallback implements Surface {
     this.#channel = channel;
   }
 
-  setMaps(maps: MapRow[]): void {
+  setMaps(maps: MapRow[], weights: number[] | undefined): void {
     // Throws where there is no attractor, as the renderer does.
     frond.bounds({ maps });
-    this.#wanted = { ...this.#wanted, maps };
+    this.#wanted = { ...this.#wanted, maps, weights };
   }
 
   setPicture(picture: Photograph | null): void {
@@ -72,13 +73,13 @@ export class Fallback implements Surface {
   }
 
   draw(_budget: number): Drawn {
-    const { maps, bend = null, view, style, width, height } = this.#wanted;
+    const { maps, weights, bend = null, view, style, width, height } = this.#wanted;
     if (!maps || !view || !style || !width || !height) return { complete: true, settled: true, points: 0 };
     if (this.#sheet) {
       return this.#sheet.draw(this.canvas, { bend, parts: partsOf(maps), view, width, height });
     }
     const asked = this.#asked;
-    const request: Request = { maps, bend, view, style, width, height };
+    const request: Request = { maps, weights, bend, view, style, width, height };
     if (!asked || KEYS.some((key) => asked[key] !== request[key])) {
       this.#asked = request;
       this.#queue.request(() => this.#job(request, COARSE));
@@ -88,7 +89,7 @@ export class Fallback implements Surface {
   }
 
   #job(request: Request, coarse: number): Job<"picture"> {
-    const { maps, bend, view, style } = request;
+    const { maps, weights, bend, view, style } = request;
     const options = {
       width: Math.ceil(request.width / coarse),
       height: Math.ceil(request.height / coarse),
@@ -105,7 +106,7 @@ export class Fallback implements Surface {
     return single<"picture">(
       this.#channel,
       coarse > 1 ? 55 : 35,
-      { kind: "picture", maps, options },
+      { kind: "picture", maps, weights, options },
       {
         accept: (bitmap) => {
           this.#paint(request, bitmap);

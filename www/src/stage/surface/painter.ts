@@ -218,9 +218,9 @@ export class Painter {
       surface.resize(wanted.width, wanted.height);
     }
     if (wanted.style !== given.style) surface.setStyle(wanted.style);
-    if (wanted.maps !== given.maps) {
+    if (wanted.maps !== given.maps || wanted.weights !== given.weights) {
       try {
-        surface.setMaps(wanted.maps);
+        surface.setMaps(wanted.maps, wanted.weights);
         this.#empty = false;
       } catch {
         this.#empty = true;

@@ -21,6 +21,8 @@ export interface Drawn {
 /** What a picture is to show. Sizes are device pixels. */
 export interface Wanted {
   maps: MapRow[];
+  /** How often the chaos game takes each map, where that is said. */
+  weights: number[] | undefined;
   bend: Bend | null;
   picture: Photograph | null;
   view: View;
@@ -33,7 +35,7 @@ export interface Wanted {
 /** Something that fills a canvas with an attractor. Sizes are device pixels. */
 export interface Surface {
   readonly canvas: HTMLCanvasElement;
-  setMaps(maps: MapRow[]): void;
+  setMaps(maps: MapRow[], weights: number[] | undefined): void;
   /** A picture in place of the attractor, or null: the maps are then those of the rectangle that it lies on. */
   setPicture(picture: Photograph | null): void;
   /** Throws where it cannot be had; the last one stays. */

@@ -12,6 +12,7 @@ import { scene } from "#document/scene";
 import type { Films } from "#film/subject";
 import { boxAt } from "#geometry/boxes";
 import { frameView } from "#stage/frame-view";
+import { shownWeights } from "#stage/picture-style";
 import { NIGHT, PAPER } from "#style/colours";
 import { isDark } from "#style/ground";
 import { plainName } from "#ui/files/download";
@@ -52,6 +53,7 @@ export async function films(): Promise<Films> {
     const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
     return planeDrawer(look, alone, (at) => ({
       maps,
+      weights: shownWeights.peek(),
       options: { view, colouring, palette: colours, bend: bendOf(at) },
     }));
   };

@@ -1,5 +1,6 @@
 import { ownColours } from "#document/colours";
 import { standing } from "#document/morph";
+import { ownWeights } from "#document/own-weights";
 import { scene } from "#document/scene";
 import type { Tool } from "#stage/tool";
 import { commands, timeline } from "./commands";
@@ -17,7 +18,13 @@ export const tool: Tool = {
   commands: () => commands,
   films,
   maps: () => [
-    { label: "Shape", name: scene.peek().a.name, maps: standing.peek(), palette: ownColours(scene.peek()) },
+    {
+      label: "Shape",
+      name: scene.peek().a.name,
+      maps: standing.peek(),
+      weights: ownWeights.peek(),
+      palette: ownColours(scene.peek()),
+    },
   ],
   open: openPhotograph,
 };

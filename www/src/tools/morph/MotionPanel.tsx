@@ -1,5 +1,5 @@
 import { edit } from "#document/scene";
-import { OwnColours } from "#stage/OwnColours";
+import { Palettes } from "#stage/later";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Colouring, Mode } from "#wasm/api";
@@ -46,7 +46,7 @@ export function MotionPanel() {
         options={COLOURINGS}
         onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
       />
-      <OwnColours />
+      <Palettes />
     </section>
   );
 }

@@ -1,18 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { MapRow, Route, Scene } from "#wasm/api";
-import {
-  asBoth,
-  choose,
-  flatPairs,
-  isMatched,
-  MOST_POINTS,
-  setMaps,
-  setPoints,
-  swap,
-  takeMatching,
-  takeRoute,
-  takeWay,
-} from "./changes";
+import { asBoth, choose, flatPairs, MOST_POINTS, setPoints, swap } from "./changes";
+import { isMatched, takeMatching, takeRoute, takeWay } from "./ways";
 
 const half: MapRow = [0.5, 0, 0, 0.5, 0, 0];
 const mirror: MapRow = [0.5, 0, 0, -0.5, 0, 0];
@@ -47,12 +36,6 @@ describe("shapes", () => {
   it("copies an end to the other", () => {
     expect(asBoth(scene, "a").b).toEqual(scene.a);
     expect(asBoth(scene, "b").a).toEqual(scene.b);
-  });
-  it("takes edited maps out of the gallery, and keeps the pairs while their number stays", () => {
-    const moved = setMaps(scene, "a", [half, mirror, half]);
-    expect(moved.a).toEqual({ name: "One", maps: [half, mirror, half] });
-    expect(moved.correspondence).toEqual([2, 0, 1]);
-    expect(setMaps(scene, "a", [half, half]).correspondence).toEqual([]);
   });
 });
 

@@ -13,6 +13,7 @@ import { loop, speed } from "#document/playback";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
+import { weightsAt } from "#document/weights";
 import { stepsSubject } from "#film/steps";
 import type { FilmSubject, Films } from "#film/subject";
 import { percent } from "#format/path-words";
@@ -54,8 +55,10 @@ export async function films(): Promise<Films> {
     const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
     return planeDrawer(look, how?.alone ?? false, (at) => {
       const t = moment(at);
+      const here = uvAt(points, t);
       return {
-        maps: mapsAt(uvAt(points, t), options),
+        maps: mapsAt(here, options),
+        weights: weightsAt(here, options),
         options: { view: view(t), colouring, palette: colours, ...(bent ? { bend: bent } : {}) },
       };
     });

@@ -3,6 +3,7 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { ownColours } from "#document/colours";
 import { current } from "#document/morph";
+import { ownWeights } from "#document/own-weights";
 import { scene } from "#document/scene";
 import type { NamedMaps } from "#ui/files/exporting";
 import type { Colouring, Mode, PathKind, Shape } from "#wasm/api";
@@ -24,10 +25,13 @@ export function namedMaps(): NamedMaps[] {
   const { a, b, t } = scene.peek();
   const palette = ownColours(scene.peek());
   const ends = [
-    { label: "A", name: a.name, maps: a.maps, palette },
-    { label: "B", name: b.name, maps: b.maps, palette },
+    { label: "A", name: a.name, maps: a.maps, weights: a.weights, palette },
+    { label: "B", name: b.name, maps: b.maps, weights: b.weights, palette },
   ];
   if (t === 0 || t === 1) return ends;
   const name = `${a.name} to ${b.name} at ${t.toFixed(2)}`;
-  return [...ends, { label: `t = ${t.toFixed(2)}`, name, maps: current.peek(), palette }];
+  return [
+    ...ends,
+    { label: `t = ${t.toFixed(2)}`, name, maps: current.peek(), weights: ownWeights.peek(), palette },
+  ];
 }

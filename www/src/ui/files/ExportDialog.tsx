@@ -129,9 +129,11 @@ function Texts({ exchange, systems, onClose }: TextsProps) {
 function write(exchange: Exchange, system: NamedMaps | undefined, format: ExportFormat | undefined) {
   try {
     if (!system || !format) throw new Error("There are no maps here.");
-    const { name, maps, palette } = system;
+    const { name, maps, weights, palette } = system;
     const colours = palette ? maps.map((_, i) => palette[i % palette.length] ?? "") : [];
-    return { text: exchange.exportMaps({ name, maps: [...maps] as never, colours }, format), problem: null };
+    const probabilities = weights ? [...weights] : [];
+    const whole = { name, maps: [...maps] as never, probabilities, colours };
+    return { text: exchange.exportMaps(whole, format), problem: null };
   } catch (why) {
     return { text: "", problem: wordsOf(why) };
   }

@@ -9,6 +9,8 @@ export interface NamedMaps {
   label: string;
   name: string;
   maps: readonly MapRow[] | readonly MapRow3[];
+  /** How often the chaos game takes each, where that is said. */
+  weights?: readonly number[] | undefined;
   /** "#rrggbb": their colours, repeated where there are more maps; those of the page are no part of a file. */
   palette?: readonly string[] | null;
 }

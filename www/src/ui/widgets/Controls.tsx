@@ -1,5 +1,6 @@
 import { signal } from "@preact/signals";
 import { useState } from "preact/hooks";
+import { GREY } from "#style/colours";
 import { Button, IconButton } from "../controls/Button";
 import { HoldButton } from "../controls/HoldButton";
 import { NumberField } from "../controls/NumberField";
@@ -10,6 +11,7 @@ import { SliderField } from "../controls/SliderField";
 import { SliderBreaks, SliderMark } from "../controls/SliderMarks";
 import { Switch } from "../controls/Switch";
 import { FileButton } from "../files/FileButton";
+import { ColourField } from "../panel/ColourField";
 import { PercentField } from "../strip/PercentField";
 import { PlayButton } from "../strip/PlayButton";
 import { LONG, State, Widget } from "./Widget";
@@ -47,6 +49,9 @@ export function Controls() {
             Compare
           </HoldButton>
         </div>
+      </Widget>
+      <Widget name="ColourField">
+        <ColourField label="Map 1" value={GREY} onChange={nothing} />
       </Widget>
       <Widget name="FileButton">
         <State name="plain">

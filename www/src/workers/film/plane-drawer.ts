@@ -9,6 +9,7 @@ type View = NonNullable<RasterOptions["view"]>;
 /** What there is to be drawn of a moment. */
 export interface PlaneMoment {
   maps: MapRow[];
+  weights?: number[] | undefined;
   options: Pick<RasterOptions, "colouring" | "palette" | "bend"> & { view: View };
 }
 
@@ -23,8 +24,8 @@ export function planeDrawer(
   let next = 0;
   let before = "";
   let missing = 0;
-  const drawn = ({ maps, options }: PlaneMoment, rows: number, signal: AbortSignal) => {
-    const request = { maps, options: { ...options, width, height: rows } };
+  const drawn = ({ maps, weights, options }: PlaneMoment, rows: number, signal: AbortSignal) => {
+    const request = { maps, weights, options: { ...options, width, height: rows } };
     return crew
       ? crew.task("attractor", request, { signal, lane: next++ % hands })
       : filmTask("attractor", request, { signal });

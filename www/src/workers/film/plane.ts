@@ -1,4 +1,5 @@
 /** The tasks of workers that draw frames of the plane. */
+import { weighted } from "#geometry/maps/weighted";
 import type { Bend, MapRow, RasterOptions } from "#wasm/api";
 import { frond, type SheetHandle } from "#wasm/core";
 import type { Context } from "../lanes/task";
@@ -22,8 +23,11 @@ const SHEET = "sheet";
 
 export const planeTasks = {
   /** An attractor. */
-  attractor(context: Context, { maps, options }: { maps: MapRow[]; options: RasterOptions }): FramePixels {
-    return measured(context, options, () => frond.rasterize({ maps }, options));
+  attractor(
+    context: Context,
+    { maps, weights, options }: { maps: MapRow[]; weights?: number[] | undefined; options: RasterOptions },
+  ): FramePixels {
+    return measured(context, options, () => frond.rasterize(weighted(maps, weights), options));
   },
 
   /** The picture that is bent from now on, in this lane. */

@@ -112,7 +112,7 @@ export interface Tasks {
     straight: boolean;
     closely: boolean;
   };
-  picture: { kind: "picture"; maps: MapRow[]; options: RasterOptions };
+  picture: { kind: "picture"; maps: MapRow[]; weights?: number[] | undefined; options: RasterOptions };
   /** What an index buffer says; its pixels stay behind. */
   buffer: { kind: "buffer"; ifs: Ifs; options: IndexBufferOptions };
 }

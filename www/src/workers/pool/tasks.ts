@@ -1,5 +1,6 @@
 /** What a worker of the plane does: a function for each kind of task. */
 import { answerOf } from "#geometry/maps/polygon-family";
+import { weighted } from "#geometry/maps/weighted";
 import { atResolution, STATE } from "#geometry/states";
 import type { Connectedness, Ifs, Locus, PathPoint } from "#wasm/api";
 import { frond as core, type Frond } from "#wasm/core";
@@ -149,9 +150,9 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
       const { verdict, gap, diameter } = answer(frond, ifs, epsilon);
       return { verdict, gap, diameter };
     }),
-  async picture({ frond, transfer }, { maps, options }) {
+  async picture({ frond, transfer }, { maps, weights, options }) {
     const { width, height } = options;
-    const pixels = frond.rasterize({ maps }, options);
+    const pixels = frond.rasterize(weighted(maps, weights), options);
     const image = await createImageBitmap(
       new ImageData(pixels as Uint8ClampedArray<ArrayBuffer>, width, height),
     );

@@ -1,13 +1,13 @@
 import { computed } from "@preact/signals";
 import { changeDeformation, deformation } from "#document/deform/bend";
-import { edit, endGesture, scene } from "#document/scene";
-import { OwnColours } from "#stage/OwnColours";
+import { edit, scene } from "#document/scene";
+import { Palettes } from "#stage/later";
 import { GREY } from "#style/colours";
 import { Button } from "#ui/controls/Button";
 import { SliderField } from "#ui/controls/SliderField";
 import { Switch } from "#ui/controls/Switch";
-import { useOwnId } from "#ui/id";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import { ColourField } from "#ui/panel/ColourField";
 import { Fold } from "#ui/panel/Fold";
 import type { Colouring, Tint } from "#wasm/api";
 import { MOST_ROUGHNESS } from "../changes";
@@ -49,7 +49,7 @@ export function ColourPanel() {
         options={ringed.value ? CURVE_COLOURINGS : COLOURINGS}
         onChange={(next) => edit((before) => withColouring(before, next, deformation.peek()))}
       />
-      <OwnColours />
+      <Palettes />
       {colouring.value === "grid" && !ringed.value && (
         <GridColours now={tint.value ?? firstTint(deformation.value)} />
       )}
@@ -155,30 +155,6 @@ function TintNumbers({ now }: { now: Tint }) {
       >
         All scales together
       </Switch>
-    </div>
-  );
-}
-
-interface ColourFieldProps {
-  label: string;
-  value: string;
-  onChange: (value: string) => void;
-}
-
-function ColourField({ label, value, onChange }: ColourFieldProps) {
-  const id = useOwnId("colour");
-  return (
-    <div class={deformCss["colour-field"]}>
-      <input
-        id={id}
-        type="color"
-        value={value}
-        onInput={(event) => onChange(event.currentTarget.value)}
-        onChange={endGesture}
-        onBlur={endGesture}
-      />
-      <label for={id}>{label}</label>
-      <span class="number">{value}</span>
     </div>
   );
 }

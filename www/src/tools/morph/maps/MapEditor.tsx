@@ -17,12 +17,15 @@ import { MapList, MapTools } from "#ui/shapes/MapList";
 import { NameInput } from "#ui/shapes/NameInput";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { type End, MOST_MAPS, nameOf, rename, setMaps } from "../changes";
+import { type End, MOST_MAPS, nameOf } from "../changes";
 import { endEditing } from "../dialogs";
 import { shapes } from "../parts";
 import { Swatch } from "../shapes/Swatch";
+import { AtHand } from "./AtHand";
+import { rename, setMaps } from "./changes";
 import { NumberFields, PartFields } from "./MapFields";
 import css from "./maps.module.css";
+import { Weights } from "./Weights";
 import { WholeShape } from "./WholeShape";
 
 /** Why maps cannot be a shape, in a sentence; nothing where they can. */
@@ -210,7 +213,7 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
         <Button
           kind="quiet"
           icon="reset"
-          disabled={origin === undefined || shape.preset !== undefined}
+          disabled={origin === undefined || (shape.preset !== undefined && !shape.weights)}
           description={origin === undefined ? "This shape is not from the gallery" : `Back to ${origin.name}`}
           onClick={() => {
             if (origin === undefined) return;
@@ -225,6 +228,10 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
         >
           Reset
         </Button>
+      </div>
+      <div>
+        <Weights target={target} />
+        <AtHand target={target} />
       </div>
     </>
   );

@@ -12,10 +12,10 @@ import { paint } from "#stage/locus/paint";
 import { Button } from "#ui/controls/Button";
 import { useOwnId } from "#ui/id";
 import type { RatedCandidate } from "#wasm/api";
-import { isMatched, takeMatching } from "../changes";
 import { matchingOpen } from "../dialogs";
 import { place } from "../locus/path/way";
 import { correspondence, turns } from "../parts";
+import { isMatched, takeMatching } from "../ways";
 import css from "./pairs.module.css";
 
 /** Other ways to match the maps, each with its own map of where it holds. */

@@ -6,9 +6,9 @@ import { sameMaps } from "#geometry/maps/same-maps";
 import { Button } from "#ui/controls/Button";
 import { useOwnId } from "#ui/id";
 import type { Route, RouteKind } from "#wasm/api";
-import { isMatched, takeRoute } from "../changes";
 import { routesOpen } from "../dialogs";
 import { correspondence, shapes, turns } from "../parts";
+import { isMatched, takeRoute } from "../ways";
 import css from "./pairs.module.css";
 
 const NAMES: Record<RouteKind, string> = {

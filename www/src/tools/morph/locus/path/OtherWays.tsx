@@ -5,7 +5,7 @@ import { edit } from "#document/scene";
 import { offerWords, triedWords } from "#format/way-words";
 import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
-import { takeWay } from "../../changes";
+import { takeWay } from "../../ways";
 
 /** Where the automatic path breaks: what else was tried by itself, and what came of it. */
 export function OtherWays() {

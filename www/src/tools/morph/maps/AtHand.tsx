@@ -1,0 +1,57 @@
+import { OwnShapes } from "#curve/OwnShapes";
+import { selection } from "#document/morph";
+import { announce, notify } from "#document/notice";
+import { copyName, keepShape, ownShapes } from "#document/own-shapes";
+import { edit } from "#document/scene";
+import { Button } from "#ui/controls/Button";
+import { Fold } from "#ui/panel/Fold";
+import type { Shape } from "#wasm/api";
+import { choose, type End } from "../changes";
+import { shapes } from "../parts";
+import { rename } from "./changes";
+import css from "./maps.module.css";
+
+/** The shapes that a person keeps, at hand while one is edited: to go on with another, or with a copy. */
+export function AtHand({ target }: { target: End }) {
+  const kept = ownShapes.value.length;
+  return (
+    <Fold title="Your shapes" now={kept === 0 ? "none yet" : `${kept}`}>
+      <div class="stack">
+        <p class="hint">
+          Keep a shape as it is and work on a copy, or take one that you kept. This browser keeps them; undo
+          brings back what was edited.
+        </p>
+        <div class={css["editor-foot"]}>
+          <Button icon="check" onClick={() => keep(shapes[target].peek())}>
+            Keep
+          </Button>
+          <Button icon="copy" description="Keep it, and go on with a copy" onClick={() => duplicate(target)}>
+            Duplicate
+          </Button>
+        </div>
+        <OwnShapes small onChoose={(shape) => take(target, shape)} />
+      </div>
+    </Fold>
+  );
+}
+
+function keep(shape: Shape): boolean {
+  const problem = keepShape(shape);
+  if (problem !== null) notify({ kind: "info", text: problem });
+  else announce(`${shape.name} is kept.`);
+  return problem === null;
+}
+
+function duplicate(target: End): void {
+  const shape = shapes[target].peek();
+  if (!keep(shape)) return;
+  const name = copyName(shape.name, new Set(ownShapes.peek().map((one) => one.name)));
+  edit((before) => rename(before, target, name));
+  announce(`${shape.name} is kept, and ${name} is edited now.`);
+}
+
+function take(target: End, shape: Shape): void {
+  edit((before) => choose(before, target, shape));
+  selection.value = { target, map: 0 };
+  announce(`${shape.name} is edited now.`);
+}

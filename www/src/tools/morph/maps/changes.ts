@@ -1,0 +1,26 @@
+/** What the editor of maps does to the document, as functions from scene to scene. */
+import { carriedWeights, withWeights } from "#geometry/maps/weighted";
+import type { MapRow, Scene } from "#wasm/api";
+import { type End, withShape } from "../changes";
+
+/** Another name for the shape of one end. It is no longer the gallery's, whose names are its own. */
+export function rename(scene: Scene, end: End, name: string): Scene {
+  const { preset: _, ...shape } = scene[end];
+  return { ...scene, [end]: { ...shape, name } };
+}
+
+/**
+ * Other maps at one end. The shape keeps its name and its weights, and is no longer the gallery's. Which map becomes
+ * which is told by number, so it holds only while there are as many maps as before.
+ */
+export function setMaps(scene: Scene, end: End, maps: MapRow[]): Scene {
+  const { name, ...before } = scene[end];
+  const shape = withWeights({ name, maps }, carriedWeights(before, maps));
+  if (maps.length !== before.maps.length) return withShape(scene, end, shape);
+  return { ...scene, [end]: shape };
+}
+
+/** How often the chaos game takes each map of one end; nothing: as its area says. The maps stay the very same. */
+export function setWeights(scene: Scene, end: End, weights: number[] | undefined): Scene {
+  return { ...scene, [end]: withWeights(scene[end], weights) };
+}
