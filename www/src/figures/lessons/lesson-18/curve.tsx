@@ -8,8 +8,8 @@ import { type Rough, samples } from "./rough";
 
 const [WIDTH, HEIGHT] = [400, 250];
 const MARGIN = 20;
-/** 4^5 steps: nearly three to a unit of the drawing. */
-const LEVEL = 5;
+/** So many steps are nearly three to a unit of the drawing. */
+const STEPS = 1024;
 /** What an arrow key moves a point by. */
 const STEP = 0.05;
 
@@ -26,7 +26,7 @@ interface CurveProps {
 export function Curve({ curve, label, large = false, onMove }: CurveProps) {
   const host = useRef<SVGSVGElement>(null);
   const colours = palette(useValue(dark) ? "dark" : "light");
-  const heights = samples(curve, LEVEL);
+  const heights = samples(curve, Math.round(Math.log(STEPS) / Math.log(curve.factors.length)));
   const [low, high] = [Math.min(0, ...heights), Math.max(1, ...heights)];
   const scale = (HEIGHT - 2 * MARGIN) / (high - low);
   const steps = (heights.length - 1) / curve.factors.length;

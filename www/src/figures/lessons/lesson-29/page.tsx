@@ -71,7 +71,7 @@ export function Page(heading: Heading) {
           ],
         },
         { name: "Height of the copies", symbol: "s", value: `0 to ${MOST}` },
-        { name: "Drawn", value: "at 32 even steps; there the heights are exact but for rounding" },
+        { name: "Drawn", value: "at 1024 even steps; there the heights are exact but for rounding" },
       ]}
       sources={
         <p>
