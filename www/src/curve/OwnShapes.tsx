@@ -29,7 +29,7 @@ export function OwnShapes({ onChoose, small = false }: OwnShapesProps) {
   return (
     <section class={css["own-shapes"]} aria-label="Your shapes">
       <h3>Yours</h3>
-      <ul class={`${css["list"]} ${small ? css["small"] : ""}`}>
+      <ul class={`${css["list"]} ${small ? css["own-narrow"] : ""}`}>
         {shapes.map((shape) => (
           <Item key={shape.id} shape={shape} onChoose={onChoose} />
         ))}

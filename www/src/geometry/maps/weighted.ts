@@ -5,9 +5,11 @@ import type { Ifs, MapRow, Shape } from "#wasm/api";
 export const weighted = (maps: MapRow[], weights: number[] | undefined): Ifs =>
   weights ? { maps, probabilities: weights } : { maps };
 
-/** A shape with these weights, or without any. */
-export function withWeights({ weights: _, ...shape }: Shape, weights: number[] | undefined): Shape {
-  return weights ? { ...shape, weights } : shape;
+/** A shape with these weights, or without any; itself where they are its own. */
+export function withWeights(shape: Shape, weights: number[] | undefined): Shape {
+  if (shape.weights === weights) return shape;
+  const { weights: _, ...rest } = shape;
+  return weights ? { ...rest, weights } : rest;
 }
 
 /**
