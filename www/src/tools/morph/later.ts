@@ -5,6 +5,7 @@ import { lazily } from "#ui/lazy";
 const evidence = () => import("./evidence/Panel").then((module) => module.EvidencePanel);
 const gallery = () => import("./shapes/Gallery").then((module) => module.Gallery);
 const maps = () => import("./maps/MapEditor").then((module) => module.MapEditor);
+const motion = () => import("./MotionPanel").then((module) => module.MotionPanel);
 const pairs = () => import("./pairs/Pairs").then((module) => module.PairsDetail);
 const familyLines = () => import("./locus/families/FamilyLines").then((module) => module.FamilyLines);
 const familyStrip = () => import("./locus/families/FamilyStrip").then((module) => module.FamilyStrip);
@@ -17,6 +18,7 @@ const familyNotes = () => import("./locus/families/FamilyNotes").then((module) =
 export const EvidencePanel = lazily(evidence);
 export const Gallery = lazily(gallery);
 export const MapEditor = lazily(maps);
+export const MotionPanel = lazily(motion);
 export const Pairs = lazily(pairs);
 export const FamilyLines = lazily(familyLines);
 export const FamilyStrip = lazily(familyStrip);
@@ -32,6 +34,7 @@ export const fetchAhead = () =>
     evidence(),
     gallery(),
     maps(),
+    motion(),
     pairs(),
     familyLines(),
     familyNotes(),
