@@ -88,20 +88,21 @@ impl Judge {
         true
     }
 
-    /// Puts the best on the coarsest grid on which it is as good but for a two-hundredth, and still no worse than the
+    /// Puts the best on a coarser grid, doubled as long as it is as good but for a two-hundredth, and no worse than the
     /// polyline: there it takes fewer bytes.
     pub fn coarsen(&mut self) {
-        let rms = self.line.near.rms.min(self.best.near.rms * (1.0 + COARSE_SHARE));
-        for doublings in (1..=MOST_DOUBLINGS).rev() {
-            let coarse = self.best.curve.coarsened(doublings).ok();
-            let Some((curve, line)) = coarse.and_then(|curve| self.untangled(&curve)) else { continue };
+        let fine = self.best.clone();
+        let rms = self.line.near.rms.min(fine.near.rms * (1.0 + COARSE_SHARE));
+        for doublings in 1..=MOST_DOUBLINGS {
+            let coarse = fine.curve.coarsened(doublings).ok();
+            let Some((curve, line)) = coarse.and_then(|curve| self.untangled(&curve)) else { return };
             let near = fidelity(&self.outline, &line);
             let score = score(&near);
-            let whole = curve.numbers() == self.best.curve.numbers();
-            if whole && near.rms <= rms && score <= self.best.score * (1.0 + COARSE_SHARE) {
-                self.best = Judged { curve, near, score };
+            let whole = curve.numbers() == fine.curve.numbers();
+            if !whole || near.rms > rms || score > fine.score * (1.0 + COARSE_SHARE) {
                 return;
             }
+            self.best = Judged { curve, near, score };
         }
     }
 
