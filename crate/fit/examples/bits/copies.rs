@@ -46,8 +46,8 @@ fn squares(points: &[DVec2], line: &[DVec2], most: f64) -> f64 {
 }
 
 /// Where arcs of the curve copy others, each charged what it costs by the price that the curve itself was made with:
-/// what the best of them come to, measured, where their sources are any arcs; and what is saved by that price where they
-/// share a few sources.
+/// what the best of them come to, measured, where their sources are any arcs; and what is saved by that price where
+/// they share a few sources. Sources are taken as they were, so that this is the most that copies of copies come to.
 pub fn worth(points: &[DVec2], nodes: &[Node]) -> String {
     let count = nodes.len();
     let step = |i: usize| nodes[i % count].at - nodes[(i + count - 1) % count].at;
