@@ -53,7 +53,8 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   await arrive(page, "drop", "three.flame", `<flame name="three">${xforms}${palette}</flame>`);
   const shown = async () => (await studio.look()).colours.slice(0, 3).sort();
   await expect.poll(shown).toEqual(["#0000ff", "#00c000", "#ff0000"]);
-  await page.getByRole("button", { name: "Frond’s colours" }).click();
+  await page.getByText("Colours of the maps", { exact: true }).click();
+  await page.getByRole("radio", { name: /^Frond’s/ }).check();
   await expect.poll(shown).not.toContain("#ff0000");
   expect((await studio.scene()).palette).toBeUndefined();
   await page.getByRole("button", { name: "Undo", exact: true }).first().click();
