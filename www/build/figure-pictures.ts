@@ -99,6 +99,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     d4: pulled("gasket", [0.3, 0.2], 0.4, 0.7, 1),
     d5: pulled("fern", [0.25, -0.05], 0.5),
     d6: pulled("dragon-3", [0.2, 0.2], 0.8),
+    d53: turned("sponge", 0.5),
     c1: row(rough([0, 0.6, 0], 0.2), rough([0, 0.6, 0], 0.4), rough([0, 0.6, 0], 0.6)),
     c24: row(
       plane([

@@ -131,8 +131,9 @@ impl Piece3 {
 pub(crate) const DEEPEST_RAW: usize = 16;
 /// Bounds are taken this much larger, and by this part of the shape's size: rounding must not make them too small.
 const ROUNDED_UP: f64 = 1.0 + 1e-9;
-/// An affine map is good enough for a piece, and for its parts after it, while it is off by this part of their size.
-const OFF: f64 = 0.04;
+/// An affine map is good enough for a piece, and for its parts after it, while it is off by this part of their size: a
+/// smaller part would have most of the smallest pieces looked at for one of their own.
+const OFF: f64 = 0.12;
 /// Points of the shape that one amid it is chosen of.
 const POINTS_TRIED: usize = 400;
 

@@ -8,6 +8,7 @@
 //! A graphics card draws [`Cloud`]s of points in the time of a frame, splats them by [`SplatStep`]s, fills what holes
 //! are left ([`fill_holes`]) and lights them alike; at rest it is given the complete depth buffer.
 
+mod bent;
 mod camera;
 mod depth_buffer;
 mod hole_fill;
@@ -18,6 +19,7 @@ mod shade;
 mod splat;
 mod traversal;
 
+pub use bent::Bent;
 pub use camera::{Camera, CameraError};
 pub use depth_buffer::DepthBuffer;
 pub use hole_fill::fill_holes;

@@ -32,8 +32,8 @@ pub use scene::{
     FamilyName, LocusView, MAX_WAY_POINTS, Path, PathKind, Scene, Shape, Tool, WayPoint, Window,
 };
 pub use space::{
-    Film, FilmError, Held, IntersectionExample, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, Moment, Moved,
-    PackedError, PaintName, Preset3, Repeat, Row3, Shape3, Space, SpaceKey, SpaceLight, SpaceMorph,
-    SpaceObject, SpacePart, SpaceView, Thing, Timeline, intersection_examples, natural_objects,
-    natural_scene, pack, preset3, presets3, unpack,
+    FARTHEST_MOVE3, Film, FilmError, Held, IntersectionExample, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED,
+    MOST_DETAIL3, MOST_ROUGHNESS3, Moment, Moved, PackedError, PaintName, Preset3, Repeat, Row3, Shape3,
+    Space, SpaceBend, SpaceKey, SpaceLight, SpaceMorph, SpaceObject, SpacePart, SpaceView, Thing, Timeline,
+    intersection_examples, natural_objects, natural_scene, pack, preset3, presets3, unpack,
 };

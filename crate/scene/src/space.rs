@@ -1,5 +1,6 @@
 //! Space: its document, its gallery and its links.
 
+mod bend;
 mod document;
 mod film;
 mod intersection_examples;
@@ -8,6 +9,7 @@ mod packed;
 mod part;
 mod preset;
 
+pub use bend::{FARTHEST_MOVE3, MOST_DETAIL3, MOST_ROUGHNESS3, SpaceBend};
 pub use document::{
     MAX_KEYS3, MAX_OBJECTS3, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight, SpaceMorph, SpaceObject,
     Timeline, natural_objects,

@@ -819,6 +819,40 @@ export interface SpaceObject extends Shape3 {
   moved?: MapRow3;
   /** "#rrggbb": one colour for all of it. Absent: its maps have theirs. */
   tint?: string;
+  /** How it is bent before it is moved. Absent: not at all. */
+  bend?: SpaceBend;
+}
+
+/** A fractal deformation by a lattice of control points (Fujimoto et al., in space as in the plane). */
+export interface SpaceBend {
+  /** Control points along x, y and z: 2 to 6. */
+  sizes: [x: number, y: number, z: number];
+  /** How far each is moved, in longest sides of the box around the shape: up to 10. x fastest, then y. */
+  moves: Point3[];
+  /** Locality: 0 to ke. */
+  kb: number;
+  /** Detail: 0 to 16, taken down to what memory allows. */
+  ke: number;
+  /** Roughness: 0 to 1.5. */
+  delta: number;
+  spin: Spin;
+}
+
+/** How a shape can be bent: the box that its lattice lies over, and what holds its pieces together. */
+export interface BendRoom3 {
+  min: Point3;
+  max: Point3;
+  /** Its pieces meet in corners, so that nothing tears. */
+  continuous: boolean;
+  /** The greatest detail that memory allows. */
+  deepest: number;
+}
+
+/** What a picture shows of an object: its parameters now, and, where it is bent, what they come of. */
+export interface SpaceShown {
+  maps: MapRow3[];
+  tint?: string;
+  bent?: { maps: MapRow3[]; moved: MapRow3; bend: SpaceBend };
 }
 
 /** Where space is seen from: the eye is `distance` away from `target`, `turn` to the side of -y and `tilt` above it. */

@@ -99,9 +99,9 @@ const FIT_TYPES: &str = r#"import type { Curve, CurveEdge, Graph, GraphPiece } f
 #[cfg(all(feature = "space", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
 const SPACE_TYPES: &str = r#"import type {
-  Bounds, BoxCount3, Connectedness3, EpsilonProjection, Intersection3, MapRow, MapRow3, MeetExample, MeshFacts,
+  BendRoom3, Bounds, BoxCount3, Connectedness3, EpsilonProjection, Intersection3, MapRow, MapRow3, MeetExample, MeshFacts,
   MeshFormat, MeshOptions, MorphOptions, PathCheck, PathPlan, PathPoint, Place3, Point3, Preset3, Shadow, ShapeFacts3, Space, SpaceFrame, SpaceLight,
-  SpaceObject, SpaceView
+  SpaceObject, SpaceShown, SpaceView
 } from "./frond.js";"#;
 
 /// And what reads and writes files.

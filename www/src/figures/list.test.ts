@@ -33,7 +33,9 @@ it("gives no address and no page twice", async () => {
 });
 
 it("keeps the addresses that were given out", () => {
-  const kept = "1 2 3 4 5 6 7 table-1 d1 d2 d3 d4 d5 d6 c1 c24 c2 ct1 ct2 c3 c4 c5 c6 ct3 c7 c43".split(" ");
+  const kept = "1 2 3 4 5 6 7 table-1 d1 d2 d3 d4 d5 d6 d53 c1 c24 c2 ct1 ct2 c3 c4 c5 c6 ct3 c7 c43".split(
+    " ",
+  );
   const space = "s1 s2 s3 s4 s5 s6 s7 s8 s34 s35 s9 s10".split(" ");
   const lessons = Array.from({ length: 11 }, (_, i) => `e${i + 1}`);
   for (const id of [...kept, ...space, ...lessons]) expect(find(id), id).not.toBeNull();

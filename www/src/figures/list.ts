@@ -150,6 +150,15 @@ export const ROWS: readonly Row[] = [
         load: () => import("./fujimoto/figure-6/page"),
         thumb: () => import("./fujimoto/figure-6/thumb"),
       },
+      {
+        id: "d53",
+        number: "Deformation, section 5.3",
+        short: "5.3",
+        title: "A sponge, bent at every scale",
+        about: "The same in space, with a lattice around the shape; and what a connected shuffle would need.",
+        load: () => import("./fujimoto/section-5-3/page"),
+        thumb: () => import("./fujimoto/section-5-3/thumb"),
+      },
     ],
   },
   {

@@ -4,13 +4,14 @@ use frond_core::{Affine3, Bounds3, Colouring, Ifs3};
 use glam::DVec3;
 
 use super::points::Cloud;
-use super::{Camera, Lighting, Traversal, depths};
+use super::{Bent, Camera, Lighting, Traversal, depths};
 use crate::picture::colour::Colours;
 
 /// Systems with their colours, in units that single precision can hold.
 #[derive(Clone, Debug)]
 pub struct Objects {
     systems: Vec<Ifs3>,
+    bends: Vec<Option<Bent>>,
     bounds: Vec<Bounds3>,
     tints: Vec<Option<[f32; 3]>>,
     heights: [f64; 2],
@@ -23,11 +24,18 @@ pub struct Objects {
 const PLAIN_SIZES: std::ops::Range<f64> = 1e-6..1e6;
 
 impl Objects {
-    /// Of systems, each with a colour for all of it where it has one.
+    /// Of systems, each with a colour for all of it where it has one, and bent where it is.
     #[must_use]
-    pub fn new(systems: Vec<Ifs3>, tints: Vec<Option<[f32; 3]>>) -> Self {
-        let mut systems = systems;
-        let mut bounds: Vec<Bounds3> = systems.iter().map(Bounds3::coarse).collect();
+    pub fn new(systems: Vec<Ifs3>, tints: Vec<Option<[f32; 3]>>, bends: Vec<Option<Bent>>) -> Self {
+        let (mut systems, mut bends) = (systems, bends);
+        bends.resize(systems.len(), None);
+        let bounded = |systems: &[Ifs3], bends: &[Option<Bent>]| -> Vec<Bounds3> {
+            let of = |(ifs, bent): (&Ifs3, &Option<Bent>)| {
+                bent.as_ref().map_or_else(|| Bounds3::coarse(ifs), Bent::bounds)
+            };
+            systems.iter().zip(bends).map(of).collect()
+        };
+        let mut bounds = bounded(&systems, &bends);
         let size = bounds.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f64::max);
         let mut unit = 1.0;
         if size > 0.0 && size.is_finite() && !PLAIN_SIZES.contains(&size) {
@@ -35,7 +43,8 @@ impl Objects {
             let two = size.log2().round().exp2();
             let by = Affine3::scaling(DVec3::splat(1.0 / two));
             if let Ok(smaller) = systems.iter().map(|ifs| ifs.conjugate(by)).collect::<Result<Vec<_>, _>>() {
-                bounds = smaller.iter().map(Bounds3::coarse).collect();
+                bends = bends.iter().map(|bent| bent.as_ref().map(|bent| bent.moved(by))).collect();
+                bounds = bounded(&smaller, &bends);
                 (systems, unit) = (smaller, two);
             }
         }
@@ -49,7 +58,13 @@ impl Objects {
                 (centre, bounds.iter().map(reach).fold(0.0, f64::max))
             }
         };
-        Self { systems, bounds, tints, heights: [least.z, largest.z], centre, radius, unit }
+        Self { systems, bends, bounds, tints, heights: [least.z, largest.z], centre, radius, unit }
+    }
+
+    /// The bends, one an object.
+    #[must_use]
+    pub fn bends(&self) -> &[Option<Bent>] {
+        &self.bends
     }
 
     /// What lengths are divided by: a graphics card has single precision.
@@ -94,7 +109,7 @@ impl Objects {
     /// The complete picture before a camera, not yet begun.
     #[must_use]
     pub fn traversal(&self, camera: &Camera, width: u32, height: u32) -> Traversal {
-        Traversal::new(&self.systems, camera, width, height)
+        Traversal::of(&self.systems, &self.bends, camera, width, height)
     }
 
     /// About so many points in all, shared by the objects.
@@ -108,7 +123,11 @@ impl Objects {
             ((points * part) as usize).max(1)
         };
         let cloud = |(number, (ifs, bounds)): (usize, (&Ifs3, &Bounds3))| {
-            Cloud::new(ifs, number as u32, share(bounds.radius), 1 + number as u32)
+            let (count, seed) = (share(bounds.radius), 1 + number as u32);
+            match &self.bends[number] {
+                Some(bent) => bent.cloud(number as u32, count, seed),
+                None => Cloud::new(ifs, number as u32, count, seed),
+            }
         };
         self.systems.iter().zip(&self.bounds).enumerate().map(cloud).collect()
     }

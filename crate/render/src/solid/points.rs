@@ -86,7 +86,7 @@ fn instances(ifs: &Ifs3, number: u32, most: usize) -> Vec<Instance3> {
     found.iter().map(instance).collect()
 }
 
-fn rows(map: &Affine3) -> [[f32; 4]; 3] {
+pub(super) fn rows(map: &Affine3) -> [[f32; 4]; 3] {
     let row = |k: usize| {
         let (r, t) = (map.linear.row(k), map.translation[k]);
         [r.x, r.y, r.z, t].map(|x| x as f32)
@@ -126,7 +126,7 @@ impl Eye {
 /// The space that each of `count` points has to itself, if they are spread over something of the system's dimension and
 /// of the size of `vertices`. Chance leaves larger holes than that, and larger points would hide what is fine: filling
 /// holes closes most.
-fn gap(ifs: &Ifs3, vertices: &[Vertex3], count: usize) -> f32 {
+pub(super) fn gap(ifs: &Ifs3, vertices: &[Vertex3], count: usize) -> f32 {
     let reach = |k: usize| {
         let of = |v: &Vertex3| v.position[k];
         let high = vertices.iter().map(of).fold(f32::NEG_INFINITY, f32::max);

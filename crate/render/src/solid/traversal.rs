@@ -1,10 +1,11 @@
 //! Walking down the trees of pieces before the eye.
 
 use frond_core::{Affine3, Bounds3, Ifs3};
+use frond_deform::Piece3;
 use glam::{DMat3, DVec3};
 
 use super::points::OBJECT_BIT;
-use super::{Camera, DepthBuffer};
+use super::{Bent, Camera, DepthBuffer};
 use crate::pieces::letters::Letters;
 
 /// The most systems in one picture.
@@ -27,6 +28,8 @@ pub struct Traversal {
     near: f64,
     buffer: DepthBuffer,
     open: Vec<Node>,
+    open_bent: Vec<BentNode>,
+    parts: Vec<BentNode>,
     order: Vec<(f64, usize)>,
 }
 
@@ -42,11 +45,13 @@ struct Object {
     radius: f64,
     /// One as the camera has it.
     seen: (DVec3, f64),
+    bent: Option<Bent>,
 }
 
 impl Object {
-    fn new(ifs: &Ifs3, bounds: &Bounds3, camera: &Camera) -> Self {
+    fn new(ifs: &Ifs3, bent: Option<&Bent>, bounds: &Bounds3, camera: &Camera) -> Self {
         let place = Affine3::new(camera.turn, -(camera.turn * camera.eye));
+        let bent = bent.map(|bent| bent.moved(place));
         let seen = (camera.seen(bounds.centre), bounds.radius);
         let contraction = ifs.contraction();
         let by = Affine3::new(contraction.to_round, DVec3::ZERO);
@@ -57,11 +62,11 @@ impl Object {
         match round {
             Some(ifs) => {
                 let Bounds3 { centre, radius, .. } = Bounds3::of(&ifs);
-                Self { maps: ifs.maps().to_vec(), root: place * back, centre, radius, seen }
+                Self { maps: ifs.maps().to_vec(), root: place * back, centre, radius, seen, bent }
             }
             None => {
                 let &Bounds3 { centre, radius, .. } = bounds;
-                Self { maps: ifs.maps().to_vec(), root: place, centre, radius, seen }
+                Self { maps: ifs.maps().to_vec(), root: place, centre, radius, seen, bent }
             }
         }
     }
@@ -75,6 +80,15 @@ struct Node {
     depth: u32,
 }
 
+/// A piece of an object that is bent, and a ball around it as the camera has it.
+#[derive(Clone, Debug)]
+struct BentNode {
+    piece: Piece3,
+    object: u32,
+    letters: Letters,
+    ball: (DVec3, f64),
+}
+
 /// What a ball takes up in the picture.
 enum Footprint {
     None,
@@ -86,19 +100,18 @@ impl Traversal {
     /// A picture of these systems. Those that are too many are left out.
     #[must_use]
     pub fn new(systems: &[Ifs3], camera: &Camera, width: u32, height: u32) -> Self {
-        let bounds: Vec<Bounds3> = systems.iter().take(MAX_OBJECTS).map(Bounds3::of).collect();
-        Self::within(systems, &bounds, camera, width, height)
+        Self::of(systems, &[], camera, width, height)
     }
 
-    /// The same where the bounds of the systems are known.
+    /// The same of systems of which some are bent.
     #[must_use]
-    pub fn within(systems: &[Ifs3], bounds: &[Bounds3], camera: &Camera, width: u32, height: u32) -> Self {
-        let objects: Vec<Object> = systems
-            .iter()
-            .zip(bounds)
-            .take(MAX_OBJECTS)
-            .map(|(ifs, bounds)| Object::new(ifs, bounds, camera))
-            .collect();
+    pub fn of(systems: &[Ifs3], bends: &[Option<Bent>], camera: &Camera, width: u32, height: u32) -> Self {
+        let object = |(number, ifs): (usize, &Ifs3)| {
+            let bent = bends.get(number).and_then(Option::as_ref);
+            let bounds = bent.map_or_else(|| Bounds3::of(ifs), Bent::bounds);
+            Object::new(ifs, bent, &bounds, camera)
+        };
+        let objects: Vec<Object> = systems.iter().take(MAX_OBJECTS).enumerate().map(object).collect();
         let far = objects.iter().map(|o| o.seen.0.length() + o.seen.1).fold(0.0, f64::max);
         let node = |(number, object): (usize, &Object)| Node {
             map: object.root,
@@ -106,7 +119,13 @@ impl Traversal {
             letters: Letters::NONE,
             depth: 0,
         };
-        let mut open: Vec<Node> = objects.iter().enumerate().map(node).collect();
+        let plain = objects.iter().enumerate().filter(|(_, object)| object.bent.is_none());
+        let mut open: Vec<Node> = plain.map(node).collect();
+        let whole = |(number, object): (usize, &Object)| {
+            let piece = object.bent.as_ref()?.bend().whole();
+            Some(BentNode { piece, object: number as u32, letters: Letters::NONE, ball: object.seen })
+        };
+        let open_bent = objects.iter().enumerate().filter_map(whole).collect();
         // The nearest is taken first.
         open.sort_by(|a, b| {
             let depth = |node: &Node| objects[node.object as usize].seen.0.z;
@@ -118,6 +137,8 @@ impl Traversal {
             buffer: DepthBuffer::new(width, height),
             objects,
             open,
+            open_bent,
+            parts: Vec::new(),
             order: Vec::new(),
         }
     }
@@ -125,10 +146,15 @@ impl Traversal {
     /// Looks at `budget` pieces at most. Whether it is done.
     pub fn run(&mut self, budget: usize) -> bool {
         for _ in 0..budget {
-            let Some(node) = self.open.pop() else { return true };
-            self.visit(node);
+            if let Some(node) = self.open.pop() {
+                self.visit(node);
+            } else if let Some(node) = self.open_bent.pop() {
+                self.visit_bent(&node);
+            } else {
+                return true;
+            }
         }
-        self.open.is_empty()
+        self.open.is_empty() && self.open_bent.is_empty()
     }
 
     /// The nearest and the farthest depth that anything can be seen at.
@@ -144,34 +170,67 @@ impl Traversal {
     }
 
     fn visit(&mut self, node: Node) {
-        let Object { maps, centre, radius, .. } = &self.objects[node.object as usize];
-        let middle = node.map.apply(*centre);
-        let size = stretch(node.map.linear) * radius;
-        let code = || 1 + (node.letters.packed() | node.object << OBJECT_BIT);
-        match self.footprint(middle, size) {
-            Footprint::None => {}
-            Footprint::Pixel([x, y]) => self.buffer.put(x, y, middle.z as f32, code()),
+        let &Object { centre, radius, .. } = &self.objects[node.object as usize];
+        let ball = (node.map.apply(centre), node.map.stretch() * radius);
+        if !self.opens(ball, node.letters, node.object, node.depth) {
+            return;
+        }
+        let maps = &self.objects[node.object as usize].maps;
+        self.order.clear();
+        let depth = |map: &Affine3| node.map.linear.row(2).dot(map.apply(centre));
+        self.order.extend(maps.iter().enumerate().map(|(i, map)| (depth(map), i)));
+        self.order.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+        for &(_, letter) in &self.order {
+            self.open.push(Node {
+                map: node.map * maps[letter],
+                letters: node.letters.then(letter),
+                depth: node.depth + 1,
+                ..node
+            });
+        }
+    }
+
+    fn visit_bent(&mut self, node: &BentNode) {
+        if !self.opens(node.ball, node.letters, node.object, node.piece.letters() as u32) {
+            return;
+        }
+        let Some(bent) = &self.objects[node.object as usize].bent else { return };
+        let place = bent.place();
+        let stretch = place.stretch();
+        self.parts.clear();
+        self.order.clear();
+        for letter in 0..bent.maps() {
+            let piece = bent.bend().child(&node.piece, letter);
+            let (centre, radius) = bent.bend().ball(&piece);
+            let ball = (place.apply(centre), stretch * radius);
+            self.order.push((ball.0.z, letter));
+            let letters = node.letters.then(letter);
+            self.parts.push(BentNode { piece, letters, object: node.object, ball });
+        }
+        // The nearest is taken first. They are large: their numbers are put in order.
+        self.order.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+        self.open_bent.extend(self.order.iter().map(|&(_, letter)| self.parts[letter].clone()));
+    }
+
+    /// Whether a piece in this ball has to be looked into; one that is a pixel is drawn.
+    fn opens(&mut self, (middle, radius): (DVec3, f64), letters: Letters, object: u32, depth: u32) -> bool {
+        let code = 1 + (letters.packed() | object << OBJECT_BIT);
+        match self.footprint(middle, radius) {
+            Footprint::None => false,
+            Footprint::Pixel([x, y]) => {
+                self.buffer.put(x, y, middle.z as f32, code);
+                false
+            }
             Footprint::Box(pixels, nearest) => {
                 if self.buffer.hides(pixels, nearest as f32) {
-                    return;
+                    return false;
                 }
-                if node.depth >= LONGEST_WORD {
-                    let [x0, y0, x1, y1] = pixels;
-                    self.buffer.put(u32::midpoint(x0, x1), u32::midpoint(y0, y1), middle.z as f32, code());
-                    return;
+                if depth < LONGEST_WORD {
+                    return true;
                 }
-                self.order.clear();
-                let depth = |map: &Affine3| node.map.linear.row(2).dot(map.apply(*centre));
-                self.order.extend(maps.iter().enumerate().map(|(i, map)| (depth(map), i)));
-                self.order.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
-                for &(_, letter) in &self.order {
-                    self.open.push(Node {
-                        map: node.map * maps[letter],
-                        letters: node.letters.then(letter),
-                        depth: node.depth + 1,
-                        ..node
-                    });
-                }
+                let [x0, y0, x1, y1] = pixels;
+                self.buffer.put(u32::midpoint(x0, x1), u32::midpoint(y0, y1), middle.z as f32, code);
+                false
             }
         }
     }
@@ -239,13 +298,6 @@ fn range(balls: impl Iterator<Item = (DVec3, f64)>) -> [f32; 2] {
 #[must_use]
 pub fn depths(bounds: &[Bounds3], camera: &Camera) -> [f32; 2] {
     range(bounds.iter().take(MAX_OBJECTS).map(|bounds| (camera.seen(bounds.centre), bounds.radius)))
-}
-
-/// An upper bound of how much a matrix stretches: exact for similitudes.
-fn stretch(m: DMat3) -> f64 {
-    let gram = m.transpose() * m;
-    let row = |r: DVec3| r.abs().element_sum();
-    row(gram.x_axis).max(row(gram.y_axis)).max(row(gram.z_axis)).sqrt()
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use frond_core::{Affine3, Course, Ease, Ifs3, IfsError, MAX_MAPS, Mode, MorphOpt
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::scene::Path;
+use crate::space::bend::SpaceBend;
 use crate::space::natural::natural_scene;
 use crate::space::part::{Held, SpaceView};
 use crate::space::preset::{Row3, preset3};
@@ -75,6 +76,9 @@ pub struct SpaceObject {
     /// `#rrggbb`: one colour for all of it; its maps have theirs where absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tint: Option<String>,
+    /// How it is bent before that; not at all where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bend: Option<SpaceBend>,
 }
 
 impl SpaceObject {
@@ -91,7 +95,7 @@ impl SpaceObject {
             }
             .to_owned()
         });
-        Some(Self { shape, moved: None, tint })
+        Some(Self { shape, moved: None, tint, bend: None })
     }
 }
 

@@ -3,19 +3,23 @@
 //! ```text
 //! o:sponge/l:height,-0.56,0.55,0.35,0.75,0.25/b:0e1015
 //! o:tetrahedron/to:dragon-curled/way:auto,0.2,0.4;0.6,0.5/t:0.5
+//! o:sponge~b3,3,3,0,3,0.5,0;26,0.2,0,0.4
 //! o:natural-0/o:natural-1~m1,0,0,0,1,0,0,0,1,2,0,0~cd5dde6/time:6,1,smooth/k:0,inout~v12,0,0,12,-1.57,0,0.46/k:3,..
 //! ```
 //!
 //! Parts are joined by `/`, what belongs to one of them by `~`; a shape that is not of the gallery is `maps;` and its
-//! rows, then `~n` and its name. Numbers have as many digits as bring back the same bits.
+//! rows, then `~n` and its name. A bend is `~b`, the sizes of its lattice, locality, detail, roughness and turn, then
+//! the control points that are moved, by number. Numbers have as many digits as bring back the same bits.
 
 use std::fmt::Write as _;
 
 use frond_core::{Course, Ease, Mode};
+use frond_deform::{Mesh3, Spin};
 use thiserror::Error;
 
 use crate::link::words::{escape, is_colour, name_of, number, numbers, tidy, unescape};
 use crate::scene::{MAX_WAY_POINTS, Path, PathKind, WayPoint};
+use crate::space::bend::SpaceBend;
 use crate::space::document::{
     MAX_KEYS3, MAX_OBJECTS3, PAGE_BACKGROUND, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight,
     SpaceMorph, SpaceObject, Timeline,
@@ -41,6 +45,8 @@ const EASES: [(&str, Ease); 5] = [
 const COURSES: [(&str, Course); 2] = [("straight", Course::Straight), ("smooth", Course::Smooth)];
 /// The first two are older than the third.
 const REPEATS: [(&str, Repeat); 3] = [("0", Repeat::Once), ("1", Repeat::Round), ("2", Repeat::PingPong)];
+/// In the order of their numbers in links.
+const SPINS: [Spin; 4] = [Spin::None, Spin::Orthogonal, Spin::Rotation, Spin::Scaled];
 const KINDS: [(&str, PathKind); 3] =
     [("auto", PathKind::Auto), ("straight", PathKind::Straight), ("drawn", PathKind::Drawn)];
 
@@ -124,6 +130,9 @@ pub fn pack(space: &Space) -> Result<String, PackedError> {
             }
             None => word.push_str("~c"),
         }
+        if let Some(bend) = &object.bend {
+            write_bend(&mut word, bend);
+        }
     }
     if space.light != SpaceLight::default() {
         let paint = name_of(&PAINTS, &space.light.paint);
@@ -161,6 +170,15 @@ fn write_shape(word: &mut String, shape: &Shape3) {
     let name = tidy(&shape.name);
     if !name.is_empty() {
         let _ = write!(word, "~n{}", escape(&name).replace('~', "%7E"));
+    }
+}
+
+fn write_bend(word: &mut String, bend: &SpaceBend) {
+    let [x, y, z] = bend.sizes;
+    let spin = SPINS.iter().position(|spin| *spin == bend.spin).unwrap_or(0);
+    let _ = write!(word, "~b{x},{y},{z},{},{spin}", numbers(&[bend.kb, bend.ke, bend.delta]));
+    for (index, by) in bend.moves.iter().enumerate().filter(|(_, by)| **by != [0.0; 3]) {
+        let _ = write!(word, ";{index},{}", numbers(by));
     }
 }
 
@@ -305,15 +323,34 @@ fn read_shape(text: &str) -> Option<(Shape3, Vec<&str>)> {
 fn read_object(text: &str) -> Option<SpaceObject> {
     let (shape, fields) = read_shape(text)?;
     let tint = shape.preset.as_deref().and_then(SpaceObject::of_preset).and_then(|object| object.tint);
-    let mut object = SpaceObject { shape, moved: None, tint };
+    let mut object = SpaceObject { shape, moved: None, tint, bend: None };
     for field in fields {
         if let Some(row) = field.strip_prefix('m') {
             object.moved = Some(exactly(row)?);
         } else if let Some(tint) = field.strip_prefix('c') {
             object.tint = if tint.is_empty() { None } else { Some(format!("#{tint}")) };
+        } else if let Some(bend) = field.strip_prefix('b') {
+            object.bend = Some(read_bend(bend)?);
         }
     }
     Some(object)
+}
+
+fn read_bend(text: &str) -> Option<SpaceBend> {
+    let mut parts = text.split(';');
+    let mut settings = parts.next()?.split(',');
+    let mut size =
+        || settings.next()?.parse::<usize>().ok().filter(|size| (2..=Mesh3::LARGEST).contains(size));
+    let sizes = [size()?, size()?, size()?];
+    let mut number = || settings.next()?.parse::<f64>().ok();
+    let [kb, ke, delta] = [number()?, number()?, number()?];
+    let spin = *SPINS.get(settings.next()?.parse::<usize>().ok()?)?;
+    let mut moves = vec![[0.0; 3]; sizes.iter().product()];
+    for part in parts {
+        let (index, by) = part.split_once(',')?;
+        *moves.get_mut(index.parse::<usize>().ok()?)? = exactly(by)?;
+    }
+    Some(SpaceBend { sizes, moves, kb, ke, delta, spin })
 }
 
 fn read_light(text: &str) -> Option<SpaceLight> {
@@ -399,6 +436,9 @@ fn check(space: &Space) -> Result<(), PackedError> {
         shape(&object.shape)?;
         if let Some(moved) = &object.moved {
             held("a place", moved, FINITE, &far)?;
+        }
+        if let Some(range) = object.bend.as_ref().and_then(SpaceBend::problem) {
+            return Err(PackedError::Number { what: "a bend", range });
         }
         if object.tint.as_ref().is_some_and(|tint| !is_colour(tint)) {
             return Err(PackedError::Number { what: "a colour", range: "#rrggbb is what one looks like" });

@@ -63,7 +63,8 @@ impl SpaceMesher {
         #[wasm_bindgen(unchecked_param_type = "MeshOptions")] options: JsValue,
     ) -> Result<Self, JsValue> {
         let PlainOptions { fineness, size, wall } = read("The options", options)?;
-        let (systems, tints) = read_objects(&objects)?;
+        // What is printed is the shape before it is bent.
+        let (systems, tints, _) = read_objects(&objects, &[])?;
         let mesher =
             Mesher::new(&systems, MeshOptions { fineness, size, wall }).map_err(|error| of_mesh(&error))?;
         let tints = tints.into_iter().zip(systems.iter().map(|ifs| ifs.len())).collect();

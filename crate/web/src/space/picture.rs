@@ -1,10 +1,11 @@
 //! Pictures of space: what a renderer is given, and complete ones without a graphics card.
 
 use frond_core::{Affine3, Ifs3, IfsError, MAX_MAPS};
+use frond_deform::Bend3;
 use frond_render::solid::{
-    Camera, CameraError, Cloud, Eye, Lamp, Lighting, MAX_OBJECTS, Objects, Paint, Traversal, light,
+    Bent, Camera, CameraError, Cloud, Eye, Lamp, Lighting, MAX_OBJECTS, Objects, Paint, Traversal, light,
 };
-use frond_scene::{PaintName, Row3, SpaceLight, SpaceView};
+use frond_scene::{PaintName, Row3, SpaceBend, SpaceLight, SpaceView};
 use glam::DVec3;
 use js_sys::{Array, Float32Array, Float64Array, Uint8Array, Uint8ClampedArray, Uint32Array};
 use serde::Deserialize;
@@ -19,6 +20,36 @@ struct PlainObject {
     maps: Vec<Row3>,
     #[serde(default)]
     tint: Option<String>,
+    #[serde(default)]
+    bent: Option<PlainBent>,
+}
+
+/// The maps of an object as it was made, what was done to it then, and the bend between the two.
+#[derive(Deserialize)]
+struct PlainBent {
+    maps: Vec<Row3>,
+    moved: Row3,
+    bend: SpaceBend,
+}
+
+impl PlainBent {
+    /// Made ready; `before` is what was shown in its place.
+    fn read(self, before: Option<&Bend3>) -> Result<Bent, JsValue> {
+        let Self { maps, moved, bend } = self;
+        if let Some(range) = bend.problem() {
+            return Err(bad_input("The bend", range));
+        }
+        let ifs = system(maps)?;
+        let bend = bend.bend(&ifs, before).map_err(|error| failure(error.code(), &error.to_string()))?;
+        Ok(Bent::new(ifs, bend, Affine3::from_row(moved)))
+    }
+}
+
+fn system(maps: Vec<Row3>) -> Result<Ifs3, JsValue> {
+    if maps.len() > MAX_MAPS {
+        return Err(of_ifs(&IfsError::TooManyMaps { count: maps.len() }));
+    }
+    Ifs3::new(maps.into_iter().map(Affine3::from_row).collect()).map_err(|error| of_ifs(&error))
 }
 
 #[derive(Deserialize)]
@@ -95,27 +126,25 @@ fn lighting_of(plain: &SpaceLight, ground: [f32; 3]) -> Lighting {
     }
 }
 
-/// Systems, and the colours of those that have one for all of it.
-type Systems = (Vec<Ifs3>, Vec<Option<[u8; 3]>>);
+/// Systems, the colours of those that have one for all of it, and the bends of those that have one.
+type Systems = (Vec<Ifs3>, Vec<Option<[u8; 3]>>, Vec<Option<Bent>>);
 
-/// The objects of one moment.
-pub(super) fn read_objects(objects: &Array) -> Result<Systems, JsValue> {
+/// The objects of one moment; `before` are the bends of another.
+pub(super) fn read_objects(objects: &Array, before: &[Option<Bent>]) -> Result<Systems, JsValue> {
     let count = objects.length() as usize;
     if count == 0 || count > MAX_OBJECTS {
         return Err(bad_input("The objects", "1 to 60 are allowed"));
     }
-    let (mut systems, mut tints) = (Vec::with_capacity(count), Vec::with_capacity(count));
-    for value in objects.iter() {
+    let (mut systems, mut tints, mut bends) = (Vec::with_capacity(count), Vec::new(), Vec::new());
+    for (number, value) in objects.iter().enumerate() {
         let plain: PlainObject = read("An object", value)?;
-        if plain.maps.len() > MAX_MAPS {
-            return Err(of_ifs(&IfsError::TooManyMaps { count: plain.maps.len() }));
-        }
-        let maps = plain.maps.into_iter().map(Affine3::from_row).collect();
-        systems.push(Ifs3::new(maps).map_err(|error| of_ifs(&error))?);
+        systems.push(system(plain.maps)?);
+        let before = before.get(number).and_then(Option::as_ref).map(Bent::bend);
+        bends.push(plain.bent.map(|bent| bent.read(before)).transpose()?);
         let tint = plain.tint.map(|tint| read_palette(&[tint])).transpose()?;
         tints.push(tint.map(|tint| tint[0]));
     }
-    Ok((systems, tints))
+    Ok((systems, tints, bends))
 }
 
 /// The objects of one moment, ready to be drawn.
@@ -124,15 +153,27 @@ pub struct SpacePicture(Objects);
 
 #[wasm_bindgen]
 impl SpacePicture {
-    /// Of `{ maps, tint? }` each. Throws where one has no attractor; those that are too many are refused.
+    /// Throws where one has no attractor, or a bend that is none; those that are too many are refused.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "{ maps: MapRow3[]; tint?: string }[]")] objects: Array,
+        #[wasm_bindgen(unchecked_param_type = "SpaceShown[]")] objects: Array,
     ) -> Result<Self, JsValue> {
-        let (systems, tints) = read_objects(&objects)?;
+        Self::after(&objects, &[])
+    }
+
+    /// Others in their place. Of their bends, all is kept that hangs on shape and detail alone.
+    pub fn next(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "SpaceShown[]")] objects: Array,
+    ) -> Result<Self, JsValue> {
+        Self::after(&objects, self.0.bends())
+    }
+
+    fn after(objects: &Array, before: &[Option<Bent>]) -> Result<Self, JsValue> {
+        let (systems, tints, bends) = read_objects(objects, before)?;
         let tints =
             tints.into_iter().map(|tint| tint.map(|tint| tint.map(|c| f32::from(c) / 255.0))).collect();
-        Ok(Self(Objects::new(systems, tints)))
+        Ok(Self(Objects::new(systems, tints, bends)))
     }
 
     /// The middle of a ball around everything.

@@ -4,6 +4,7 @@ use frond_core::{
     Affine2, Affine3, Bounds3, ChaosGame3, Contraction3, Place3, affinity_dimension, box_dimension,
     similarity_dimension,
 };
+use frond_deform::Room3;
 use frond_exchange::{FileError, SpaceFile};
 use frond_scene::Row3;
 use glam::{DMat3, DVec3};
@@ -110,6 +111,23 @@ pub fn facts3(#[wasm_bindgen(unchecked_param_type = "MapRow3[]")] maps: JsValue)
         centre: bounds.centre.to_array(),
         radius: bounds.radius,
     })
+}
+
+#[derive(Serialize)]
+struct PlainRoom {
+    min: [f64; 3],
+    max: [f64; 3],
+    continuous: bool,
+    deepest: usize,
+}
+
+/// How a shape can be bent: the box that its lattice lies over, and what holds its pieces together.
+#[wasm_bindgen(js_name = bendRoom3, unchecked_return_type = "BendRoom3")]
+pub fn bend_room3(
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] maps: JsValue,
+) -> Result<JsValue, JsValue> {
+    let Room3 { min, max, continuous, deepest } = Room3::of(&read_ifs3(&maps)?);
+    write(&PlainRoom { min: min.to_array(), max: max.to_array(), continuous, deepest })
 }
 
 /// Points that are thrown to count boxes.

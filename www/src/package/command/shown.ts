@@ -3,6 +3,7 @@ import { type Box, boxAt, calmTrack, stillTrack, union } from "#geometry/boxes";
 import { WHITE } from "#style/colours";
 import { palette } from "#style/palette";
 import type { Bend, Ifs, Scene } from "#wasm/api";
+import { shownObject } from "#workers/space/shown";
 import { bendOf, morphOf, type NamedMaps, withColours } from "./morph";
 import { Refusal } from "./options";
 import type { Draw, Pixels, System } from "./system";
@@ -101,10 +102,7 @@ async function spaceShown({ space: part }: Scene, system: System): Promise<Shown
       return async (i) => {
         const frame = frames[i];
         if (!frame) throw new Refusal("There is no such frame.");
-        const objects = frame.objects.map(({ now }, k) => {
-          const tint = space.objects[k]?.tint;
-          return tint === undefined ? { maps: now } : { maps: now, tint };
-        });
+        const objects = frame.objects.map((at, k) => shownObject(at, space.objects[k]));
         const flown = part?.own ? undefined : frame.view;
         const view = flown ?? part?.view ?? defaultView(space);
         return pool.rasterize3({ objects, view, light: space.light, look });

@@ -1,13 +1,15 @@
 /** Space: its stage, its side panel and its strip. Loaded when it is first opened. */
 import "#ui/panel/panel.css";
-import { effect, signal } from "@preact/signals";
+import { effect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { spaceShown } from "#document/playback";
 import { Segmented } from "#ui/controls/Segmented";
 import { PanelFoot } from "#ui/panel/PanelFoot";
+import { BendPanel3 } from "./bend/BendPanel3";
 import { LightPanel } from "./light/LightPanel";
 import { MorphPanel3 } from "./morph/MorphPanel3";
 import { watchMorph } from "./morph/work";
+import { type Part, part } from "./part";
 import { ShapePanel } from "./shape/ShapePanel";
 import css from "./space.module.css";
 import { spaceDrawn } from "./stage/state";
@@ -17,13 +19,9 @@ effect(() => {
   spaceShown.value = spaceDrawn.value;
 });
 
-type Part = "shape" | "morph" | "light" | "time";
-
-/** Which part of the panel is open: a way of looking, no part of the document. */
-const part = signal<Part>("shape");
-
 const PARTS: { value: Part; label: string; description: string }[] = [
   { value: "shape", label: "Shape", description: "Objects, their parameters, and what is done to them" },
+  { value: "bend", label: "Bend", description: "A lattice that bends the object at every scale" },
   { value: "morph", label: "Morph", description: "Another shape that the first object becomes" },
   { value: "light", label: "Light", description: "Light, colours, and the view in numbers" },
   { value: "time", label: "Time", description: "Key frames and films" },
@@ -55,6 +53,7 @@ export function SpacePanel() {
         }}
       />
       {now === "shape" && <ShapePanel />}
+      {now === "bend" && <BendPanel3 />}
       {now === "morph" && <MorphPanel3 />}
       {now === "light" && <LightPanel />}
       {now === "time" && <TimePanel />}

@@ -4,6 +4,7 @@ import type { Drawer, FrameLook } from "../film/subject";
 import { spaceCrew, spaceTask } from "./client";
 import { Frames } from "./frames";
 import type { PictureRequest } from "./picture";
+import { shownObject } from "./shown";
 
 export interface SpaceMoments {
   space: Space;
@@ -28,10 +29,7 @@ export function spaceDrawer(
   let before = "";
   const request = (seconds: number): PictureRequest => {
     const frame = frames.at(seconds);
-    const objects = frame.objects.map(({ now }, i) => {
-      const tint = space.objects[i]?.tint;
-      return tint === undefined ? { maps: now } : { maps: now, tint };
-    });
+    const objects = frame.objects.map((at, i) => shownObject(at, space.objects[i]));
     const seen = still ? view : (frame.view ?? view);
     return { objects, view: seen, light: space.light, width, height, factor, palette, ground };
   };

@@ -23,6 +23,9 @@ vi.mock("#wasm/space", () => {
         free: () => carving.carvesFreed++,
       };
     }
+    next() {
+      return new SpacePicture();
+    }
     free() {
       carving.freed++;
     }

@@ -1,12 +1,9 @@
-import type { MapRow3, SpaceLight, SpaceView } from "#wasm/api";
+import type { SpaceLight, SpaceShown, SpaceView } from "#wasm/api";
 import { type SpaceCarveHandle, type SpaceLook, type SpacePictureHandle, solid } from "#wasm/space";
 import type { Context } from "../lanes/task";
 
-/** As much of an object as a picture shows: its parameters now. */
-export interface Shown {
-  maps: MapRow3[];
-  tint?: string;
-}
+/** As much of an object as a picture shows. */
+export type Shown = SpaceShown;
 
 /** One complete picture. `width` x `height` pixels, of which `factor` x `factor` are carved for each. */
 export interface PictureRequest extends SpaceLook {
@@ -96,10 +93,13 @@ function pictured({ keep }: Context, objects: Shown[]): SpacePictureHandle {
   const kept = keep.get(KEPT) as Kept | undefined;
   if (kept?.key === key) return kept.picture;
   keep.delete(KEPT);
-  kept?.picture.free();
-  const picture = new solid.SpacePicture(objects);
-  keep.set(KEPT, { key, picture } satisfies Kept);
-  return picture;
+  try {
+    const picture = kept ? kept.picture.next(objects) : new solid.SpacePicture(objects);
+    keep.set(KEPT, { key, picture } satisfies Kept);
+    return picture;
+  } finally {
+    kept?.picture.free();
+  }
 }
 
 /** In slices, so that a picture that nobody wants any more is left unfinished. */

@@ -31,13 +31,29 @@ fn any_view() -> impl Strategy<Value = SpaceView> {
     })
 }
 
+fn any_bend() -> impl Strategy<Value = SpaceBend> {
+    let sizes = [2..=3_usize, 2..=4_usize, 2..=3_usize];
+    let spin = proptest::sample::select(SPINS.to_vec());
+    (sizes, 0.0..=1.0_f64, 0.0..=16.0_f64, 0.0..=1.5_f64, spin).prop_flat_map(
+        |(sizes, part, ke, delta, spin)| {
+            let by = prop_oneof![Just([0.0; 3]), [-10.0..10.0_f64, 0.0..0.5_f64, -1.0..1.0_f64]];
+            proptest::collection::vec(by, sizes.iter().product::<usize>()).prop_map(move |moves| SpaceBend {
+                sizes,
+                moves,
+                kb: part * ke,
+                ke,
+                delta,
+                spin,
+            })
+        },
+    )
+}
+
 fn any_object() -> impl Strategy<Value = SpaceObject> {
     let tint = proptest::option::of(Just("#12ab9f".to_owned()));
-    (any_shape(), proptest::option::of(any_row()), tint).prop_map(|(shape, moved, tint)| SpaceObject {
-        shape,
-        moved,
-        tint,
-    })
+    let bend = proptest::option::of(any_bend());
+    (any_shape(), proptest::option::of(any_row()), tint, bend)
+        .prop_map(|(shape, moved, tint, bend)| SpaceObject { shape, moved, tint, bend })
 }
 
 fn any_space() -> impl Strategy<Value = Space> {
@@ -186,4 +202,29 @@ fn damage_is_told() {
     }
     // Of a later version.
     assert!(unpack("o:sponge/water:deep").is_ok());
+}
+
+#[test]
+fn a_bend_that_is_none_is_refused_in_words() {
+    let good = "o:sponge~b3,3,3,0,3,0.5,1;26,0.2,0,-0.4";
+    let bend = unpack(good).unwrap().objects.remove(0).bend.unwrap();
+    assert_eq!((bend.moves[26], bend.moves[25], bend.spin), ([0.2, 0.0, -0.4], [0.0; 3], Spin::Orthogonal));
+    for bad in [
+        "1,3,3,0,3,0.5,0",
+        "3,3,7,0,3,0.5,0",
+        "3,3,3,4,3,0.5,0",
+        "3,3,3,0,17,0.5,0",
+        "3,3,3,0,3,-1,0",
+        "3,3,3,0,3,NaN,0",
+        "3,3,3,0,3,0.5,4",
+        "3,3,3,0,3,0.5",
+        "3,3,3,0,3,0.5,0;27,0,0,1",
+        "3,3,3,0,3,0.5,0;1,0,0",
+        "3,3,3,0,3,0.5,0;1,0,0,11",
+        "3,3,3,0,3,0.5,0;1,0,0,inf",
+        "99999999999,3,3,0,3,0.5,0",
+    ] {
+        let error = unpack(&format!("o:sponge~b{bad}")).unwrap_err();
+        assert!(!error.to_string().is_empty(), "{bad}");
+    }
 }

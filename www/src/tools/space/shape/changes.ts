@@ -6,12 +6,20 @@ import type { MapRow3, Point3, Shape3, Space, SpaceKey, SpaceObject } from "#was
 export const MOST_MAPS = 64;
 export const MOST_OBJECTS = 60;
 
-/** Another shape for an object, in its place. What was said of other numbers of its maps is no longer so. */
+/**
+ * Another shape for an object, in its place and bent alike. What was said of other numbers of its maps is no longer
+ * so.
+ */
 export function withShape(space: Space, index: number, shape: Shape3): Space {
   const before = space.objects[index];
   if (!before) return space;
-  const { moved, tint } = before;
-  const object: SpaceObject = { ...shape, ...(moved ? { moved } : {}), ...(tint ? { tint } : {}) };
+  const { moved, tint, bend } = before;
+  const object: SpaceObject = {
+    ...shape,
+    ...(moved ? { moved } : {}),
+    ...(tint ? { tint } : {}),
+    ...(bend ? { bend } : {}),
+  };
   const objects = space.objects.map((old, i) => (i === index ? object : old));
   const after = { ...space, objects };
   if (before.maps.length === shape.maps.length) return after;

@@ -4,6 +4,7 @@ import { endGesture } from "#document/scene";
 import { chosen, hand, space, spaceView } from "#document/space/space";
 import { watchSize } from "#stage/picture";
 import type { PainterBackend } from "#stage/surface/painter";
+import { BendHandles } from "../bend/Handles";
 import { attachGestures } from "./gestures";
 import { stageKey, stageKeyUp } from "./keys";
 import { Messages } from "./Messages";
@@ -83,6 +84,7 @@ export function SpaceStage({ backend }: { backend: "auto" | PainterBackend }) {
         onKeyUp={stageKeyUp}
         onBlur={endGesture}
       />
+      <BendHandles />
       <Toolbar />
       <Messages />
       <div class="stage-foot">

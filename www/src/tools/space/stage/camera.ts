@@ -177,6 +177,25 @@ export function sightOf(view: SpaceView, ball: Ball): "before" | "around" | "beh
   return Math.hypot(...towards) < ball.radius ? "around" : "before";
 }
 
+/** A place of the picture, in pixels from its upper left, and how deep before the eye it is. */
+export interface Pixel {
+  x: number;
+  y: number;
+  depth: number;
+}
+
+/** Where a point is seen in a picture of this size; null for what is not before the eye. */
+export function projected(
+  view: SpaceView,
+  point: Point3,
+  { width, height }: { width: number; height: number },
+): Pixel | null {
+  const [[x, y, depth]] = seenBy(view, [point]) as [Point3];
+  if (!(depth > 1e-6 * view.distance)) return null;
+  const unit = unitsAt(view, depth, height);
+  return { x: width / 2 + x / unit, y: height / 2 - y / unit, depth };
+}
+
 /** How deep before the eye a point lies. */
 export function depthOf(view: SpaceView, point: Point3): number {
   return dot(minus(point, eyeOf(view)), axesOf(view).ahead);

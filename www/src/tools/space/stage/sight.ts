@@ -11,6 +11,7 @@ import { palette } from "#style/palette";
 import type { Point3 } from "#wasm/api";
 import { type SpacePictureHandle, solid } from "#wasm/space";
 import type { Shown } from "#workers/space/complete-picture";
+import { shownObject } from "#workers/space/shown";
 import { groundOf } from "../light/background";
 import type { Ball } from "./camera";
 import { standFor } from "./samples";
@@ -28,10 +29,7 @@ const objects: ReadonlySignal<Shown[] | null> = computed(() => {
   const frame = spaceFrame.value;
   const now = space.value;
   if (!frame || !now) return null;
-  const list = frame.objects.map(({ now: maps }, i): Shown => {
-    const tint = now.objects[i]?.tint;
-    return tint === undefined ? { maps } : { maps, tint };
-  });
+  const list = frame.objects.map((at, i): Shown => shownObject(at, now.objects[i]));
   const key = JSON.stringify(list);
   if (last?.key !== key) last = { key, objects: list };
   return last.objects;
@@ -44,8 +42,8 @@ export const sight: ReadonlySignal<Sight | null> = computed(() => {
   const list = objects.value;
   if (!list || held?.objects === list) return held;
   try {
-    const handle = new solid.SpacePicture(list);
     const before = held;
+    const handle = before ? before.handle.next(list) : new solid.SpacePicture(list);
     held = { objects: list, handle, ball: ballOf(handle) };
     // Whoever draws has taken the new one by then.
     if (before) setTimeout(() => before.handle.free());
@@ -60,7 +58,23 @@ function ballOf({ centre: [x = 0, y = 0, z = 0], radius }: SpacePictureHandle): 
 }
 
 /** Points of all that is to be seen: the ball around it says little of what is flat or far apart. */
-export const samples = (): Point3[] => (sight.peek()?.objects ?? []).flatMap(({ maps }) => standFor(maps));
+export function samples(): Point3[] {
+  const { objects: list = [], ball } = sight.peek() ?? {};
+  const points = list.flatMap(({ maps }) => standFor(maps));
+  // Of what is bent, only a ball is known.
+  if (!ball || !list.some(({ bent }) => bent)) return points;
+  const [x, y, z] = ball.centre;
+  const r = ball.radius;
+  const around: Point3[] = [
+    [x + r, y, z],
+    [x - r, y, z],
+    [x, y + r, z],
+    [x, y - r, z],
+    [x, y, z + r],
+    [x, y, z - r],
+  ];
+  return [...points, ...around];
+}
 
 let known: { key: string; ball: Ball } | null = null;
 

@@ -4,6 +4,7 @@ import { space, spacePlaying, spaceView } from "#document/space/space";
 import type { Space } from "#wasm/api";
 import { type PictureRequest, pictureOf } from "#workers/space/complete-picture";
 import { Frames } from "#workers/space/frames";
+import { shownObject } from "#workers/space/shown";
 import { colours, ground } from "../../stage/sight";
 
 const shown = signal<readonly (ImageData | null)[]>([]);
@@ -76,10 +77,7 @@ function requestsOf(now: Space, look: Look): (PictureRequest | null)[] {
     const film = frames;
     return (now.timeline?.keys ?? []).map(({ at }) => {
       const frame = film.at(at);
-      const objects = frame.objects.map(({ now: maps }, i) => {
-        const tint = now.objects[i]?.tint;
-        return tint === undefined ? { maps } : { maps, tint };
-      });
+      const objects = frame.objects.map((at, i) => shownObject(at, now.objects[i]));
       const view = frame.view ?? fallback;
       return { objects, view, light: now.light, ...SIZE, factor: 1, ...look };
     });

@@ -1,0 +1,51 @@
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixture";
+
+// A picture of space costs by its pixels.
+test.use({ viewport: { width: 900, height: 560 } });
+
+const complete = (page: Page) =>
+  expect(page.getByTestId("space-status")).toHaveText("Complete picture", { timeout: 120_000 });
+const packed = async (studio: { scene(): Promise<{ space?: { packed: string } }> }) =>
+  (await studio.scene()).space?.packed ?? "";
+
+test("a lattice bends a shape by key, hand and number, and undo brings every bit back", async ({
+  studio,
+  page,
+}) => {
+  await studio.open("tool=space&space=o:tetrahedron");
+  await complete(page);
+  const straight = await studio.look();
+  await page.getByRole("radio", { name: "Bend", exact: true }).check({ force: true });
+  await page.getByRole("button", { name: "Bend it" }).click();
+  const handle = page.getByRole("button", { name: /^Handle 3, 3, 3,/ });
+  await expect(page.getByRole("button", { name: /^Handle \d, \d, \d,/ })).toHaveCount(27);
+  await complete(page);
+  const bent = await studio.look();
+  expect(bent.hash).not.toBe(straight.hash);
+  const first = await packed(studio);
+  expect(first).toMatch(/^o:tetrahedron~b3,3,3,0,4,0.5,0;26,/);
+  await handle.focus();
+  await page.keyboard.press("ArrowUp");
+  expect(await packed(studio)).not.toBe(first);
+  const box = await handle.boundingBox();
+  if (!box) throw new Error("The handle has no place.");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 60, y + 30, { steps: 4 });
+  await page.mouse.up();
+  await complete(page);
+  const dragged = await packed(studio);
+  expect((await studio.look()).hash).not.toBe(bent.hash);
+  await page.getByLabel("Moved along x").fill("0.25");
+  await page.keyboard.press("Enter");
+  expect(await packed(studio)).toMatch(/;26,0.25,/);
+  const undo = page.getByRole("button", { name: "Undo", exact: true });
+  await undo.click();
+  expect(await packed(studio)).toBe(dragged);
+  for (let step = 0; step < 3; step++) await undo.click();
+  await expect(undo).toBeDisabled();
+  await complete(page);
+  expect((await studio.look()).hash).toBe(straight.hash);
+});

@@ -1,0 +1,130 @@
+/** The bend of the chosen object, the box it lies over, and where its handles are on the stage. */
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { announce } from "#document/notice";
+import { changeSpace } from "#document/space/edits";
+import { chosen, keepView, spacePlaying, spaceView } from "#document/space/space";
+import { apply3, turned } from "#geometry/maps/affine3";
+import type { BendRoom3, MapRow3, Point3, SpaceBend } from "#wasm/api";
+import { solid } from "#wasm/space";
+import { made, moved, object } from "../shape/now";
+import { type Pixel, projected, shiftByHand } from "../stage/camera";
+import { stageSize } from "../stage/state";
+import { nameOf, placeOf, tidy, withBend, withMoved } from "./changes";
+
+export const bend: ReadonlySignal<SpaceBend | null> = computed(() => object.value?.bend ?? null);
+
+let known: { key: string; room: BendRoom3 | null } | null = null;
+
+/** null where the shape has no attractor. */
+export const room: ReadonlySignal<BendRoom3 | null> = computed(() => {
+  const maps = made.value;
+  if (maps.length === 0) return null;
+  const key = JSON.stringify(maps);
+  if (known?.key !== key) known = { key, room: roomOf(maps) };
+  return known.room;
+});
+
+function roomOf(maps: MapRow3[]): BendRoom3 | null {
+  try {
+    return solid.bendRoom3(maps);
+  } catch {
+    return null;
+  }
+}
+
+/** The sides of the box, in units of space. */
+export function sidesOf({ min, max }: Pick<BendRoom3, "min" | "max">): Point3 {
+  return [max[0] - min[0], max[1] - min[1], max[2] - min[2]];
+}
+
+export const sizeOf = (room: Pick<BendRoom3, "min" | "max">): number => Math.max(...sidesOf(room));
+
+/** Where the control points are, as the object lies. */
+const points: ReadonlySignal<Point3[]> = computed(() => {
+  const [now, box] = [bend.value, room.value];
+  if (!now || !box) return [];
+  const [sides, size] = [sidesOf(box), sizeOf(box)];
+  return now.moves.map((by, i) => {
+    const place = placeOf(now.sizes, i);
+    const at = [0, 1, 2].map(
+      (k) => (box.min[k] ?? 0) + (sides[k] ?? 0) * (place[k] ?? 0) + size * (by[k] ?? 0),
+    );
+    return apply3(moved.value, at as Point3);
+  });
+});
+
+/** The same on the stage; null for what is behind the eye. */
+export const handles: ReadonlySignal<(Pixel | null)[]> = computed(() => {
+  const view = spaceView.value;
+  const size = stageSize.value;
+  return view ? points.value.map((point) => projected(view, point, size)) : [];
+});
+
+const held = signal(0);
+
+/** The handle that keys and numbers are about. */
+export const lead: ReadonlySignal<number> = computed(() =>
+  Math.min(held.value, Math.max(0, (bend.value?.moves.length ?? 1) - 1)),
+);
+
+export function take(index: number): void {
+  held.value = index;
+}
+
+/** One step to undo, or a part of one. */
+export function changeBend(change: (bend: SpaceBend) => SpaceBend | null, gesture?: string): boolean {
+  const now = bend.peek();
+  if (!now) return false;
+  const after = change(now);
+  if (after === now) return true;
+  // Else the view would follow.
+  keepView();
+  spacePlaying.value = false;
+  const options = gesture === undefined ? {} : { gesture };
+  return changeSpace((space) => withBend(space, chosen.peek(), after), options);
+}
+
+/** A handle along a direction of space, in units of it. */
+function shift(index: number, by: Point3, gesture: string): void {
+  const box = room.peek();
+  if (!box) return;
+  try {
+    const own = turned(solid.invert3(moved.peek()), by);
+    const size = sizeOf(box);
+    const parts = own.map((x) => tidy(x / size)) as Point3;
+    changeBend((now) => withMoved(now, index, parts), gesture);
+  } catch {
+    // What was flattened has no way back: numbers move its handles all the same.
+  }
+}
+
+/** By so many pixels of a hand, in the plane of the picture. */
+export function pull(index: number, dx: number, dy: number, gesture: string): void {
+  const [view, at] = [spaceView.peek(), handles.peek()[index]];
+  if (!view || !at) return;
+  shift(index, shiftByHand(view, dx, dy, at.depth, stageSize.peek().height), gesture);
+}
+
+/** Nearer to the eye or farther from it, by a part of the box. */
+export function push(index: number, part: number, gesture: string): void {
+  const [view, box] = [spaceView.peek(), room.peek()];
+  if (!view || !box) return;
+  const stretch = Math.cbrt(Math.abs(solid.place3(moved.peek()).determinant)) || 1;
+  const far = part * sizeOf(box) * stretch;
+  const [s, c] = [Math.sin(view.turn), Math.cos(view.turn)];
+  const flat = Math.cos(view.tilt);
+  shift(index, [-s * flat * far, c * flat * far, -Math.sin(view.tilt) * far], gesture);
+}
+
+/** A handle's name, and how far it is moved. */
+export function handleWords(index: number): string {
+  const now = bend.value;
+  const by = now?.moves[index];
+  if (!now || !by) return "Handle";
+  const parts = by.map((x) => `${Math.round(1000 * x) / 10}`.replace("-", "−"));
+  return `${nameOf(now.sizes, index)}, moved by ${parts.join(", ")} percent`;
+}
+
+export function tell(index: number): void {
+  announce(handleWords(index));
+}
