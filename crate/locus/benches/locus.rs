@@ -1,4 +1,5 @@
-//! How fast a locus is decided, against the index buffer in the same run: `cargo bench -p frond-locus`.
+//! How fast a locus is decided, against the index buffer in the same run: `cargo bench -p frond-locus`; with a word
+//! after `--`, only the patches whose name has it.
 //!
 //! The morph is that of Burch & Hart's Fig 7, reconstructed: Heighway's dragon as three maps
 //! {w1, w2 w1, w2 w2} to the Sierpinski gasket, over [-1, 2] x [-1, 2], on one core.
@@ -21,6 +22,12 @@ const RUNS: usize = 5;
 
 fn main() {
     let morph = dragon_to_gasket();
+    // Cargo adds options of its own.
+    let only = std::env::args().skip(1).find(|arg| !arg.starts_with('-'));
+    if only.is_some() {
+        boxes::report(&morph, f64::NAN, only.as_deref());
+        return;
+    }
     let mut scratch = Scratch::default();
 
     let ifs = Ifs::new(morph.at(0.3, 0.4)).expect("an attractor");
@@ -61,5 +68,5 @@ fn main() {
         let seconds = least_time(20, || drop(std::hint::black_box(connectedness(&ifs, &Options::default()))));
         println!("full answer, {name}: {:.1} us", seconds * 1e6);
     }
-    boxes::report(&morph, buffer);
+    boxes::report(&morph, buffer, None);
 }

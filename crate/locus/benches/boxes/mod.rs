@@ -9,7 +9,7 @@ use frond_testing::least_time;
 use crate::RUNS;
 
 /// The states of a patch by their numbers, and the least time of some runs in seconds.
-fn patch(family: &impl Family, bounds: Bounds, size: usize, epsilon: f64) -> ([usize; 5], f64) {
+fn patch(family: &dyn Family, bounds: Bounds, size: usize, epsilon: f64) -> ([usize; 5], f64) {
     let grid = LocusGrid::new(bounds, size, size).expect("a small grid");
     let mut scratch = Scratch::default();
     let mut states = [0; 5];
@@ -28,10 +28,14 @@ fn patch(family: &impl Family, bounds: Bounds, size: usize, epsilon: f64) -> ([u
     (states, seconds)
 }
 
-/// Prints how fast patches are; `buffer` is the time of an index buffer in seconds.
-pub fn report(morph: &Morph, buffer: f64) {
+/// Prints how fast patches are, all or those whose name has a word; `buffer` is the time of an index buffer in seconds.
+pub fn report(morph: &Morph, buffer: f64, only: Option<&str>) {
     let slice = Slice::new(morph, 0.0);
-    let print = |name: &str, size: usize, epsilon: f64, (states, seconds): ([usize; 5], f64)| {
+    let print = |name: &str, family: &dyn Family, bounds: Bounds, size: usize, epsilon: f64| {
+        if only.is_some_and(|word| !name.contains(word)) {
+            return;
+        }
+        let (states, seconds) = patch(family, bounds, size, epsilon);
         let each = seconds / (size * size) as f64;
         println!(
             "patches of {name}, {size} x {size}, epsilon {epsilon:.1e}: {:.0} samples/s, {:.1} ms, {:.0} times the \
@@ -42,15 +46,18 @@ pub fn report(morph: &Morph, buffer: f64) {
         );
     };
     for epsilon in [1.0 / 600.0, 1e-4, 1e-5] {
-        print("the locus", 256, epsilon, patch(&slice, Bounds::default(), 256, epsilon));
+        print("the locus", &slice, Bounds::default(), 256, epsilon);
     }
     for (u0, v0, side) in [(0.2, 0.45, 0.1), (0.9, 0.9, 0.1), (0.0, 0.3, 0.02), (-0.3, 0.7, 0.02)] {
         let near = Bounds { u0, v0, u1: u0 + side, v1: v0 + side };
-        print(&format!("({u0}, {v0}) + {side}"), 256, 1e-5, patch(&slice, near, 256, 1e-5));
+        print(&format!("({u0}, {v0}) + {side}"), &slice, near, 256, 1e-5);
     }
     let all = Bounds { u0: -0.75, v0: 0.0, u1: 0.75, v1: 0.75 };
     for epsilon in [1.0 / 600.0, 1e-4] {
-        print("the set M", 400, epsilon, patch(&Polygons::new(2), all, 400, epsilon));
+        print("the set M", &Polygons::new(2), all, 400, epsilon);
+    }
+    if only.is_some() {
+        return;
     }
     if let Ok(plan) = find_path(morph, &frond_locus::PathOptions::default()) {
         for within in [1e-2, 1.0 / 600.0] {
