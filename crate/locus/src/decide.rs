@@ -8,7 +8,7 @@ use crate::frame::Frame;
 use crate::gap::bracket::CutSearch;
 use crate::gap::difference_set::{self, DifferenceSet, Translates};
 use crate::gap::greedy::GreedySearch;
-use crate::gap::power_series;
+use crate::gap::power_series::PowerSeries;
 use crate::gap::trails::Trails;
 use crate::gap::word_pairs::WordPairs;
 use crate::gap::word_tree::WordTree;
@@ -24,6 +24,7 @@ pub struct Scratch {
     pub(crate) greedy: GreedySearch,
     pub(crate) words: WordTree,
     differences: DifferenceSet,
+    series: PowerSeries,
     maps: Vec<Affine2>,
     pub(crate) search: CutSearch,
     /// The ways to near points of the system that was decided last, where others are to follow them.
@@ -138,7 +139,7 @@ impl Scratch {
             return magnification.bounded(self.decide(&magnification.magnify(maps), epsilon, budget, ask));
         }
         let Ask { polygon, bounds, start, trails_alone } = ask;
-        let Self { frame, support, greedy, words, differences, search, trails, .. } = self;
+        let Self { frame, support, greedy, words, differences, series, search, trails, .. } = self;
         trails.clear();
         let equal = polygon || difference_set::are_equal(maps);
         let proved = equal && difference_set::fill(&maps[0]);
@@ -148,13 +149,9 @@ impl Scratch {
         }
         let proved = proved || area::at_once(maps);
         // Two maps of one linear part need no more than sums: the quickest way there is.
-        let series =
-            (equal && !proved && power_series::are_two(maps)).then(|| power_series::nearest(maps, epsilon));
-        if matches!(series, Some(Some(_))) && !bounds {
-            return Bounded {
-                sample: Sample { state: State::Touching, gap: 0.0 },
-                ..Bounded::unknown(State::Touching)
-            };
+        let known = if equal && !proved { series.decide(maps, epsilon, bounds) } else { None };
+        if let Some(known) = known.filter(|_| !bounds) {
+            return known;
         }
         match frame.set(maps) {
             Ok(()) => {}
@@ -181,6 +178,9 @@ impl Scratch {
             // The attractor lies in the unit disc of the frame.
             return whole(State::Connected, 0.0, 2.0 * frame.stretch);
         }
+        if let Some(known) = known {
+            return Bounded { ellipse, ..known };
+        }
         search.begin(maps.len(), polygon);
         let areas = || maps.iter().map(difference_set::area);
         if areas().any(|area| area >= 0.5) {
@@ -200,9 +200,6 @@ impl Scratch {
                 });
             }
             search.join_near(|i, j| {
-                if let Some(found) = series {
-                    return found;
-                }
                 let found = differences.meet(frame, i, j, near)?;
                 if start.is_some() {
                     trails.push(i, j, differences.trail());

@@ -42,6 +42,12 @@ pub trait Family {
     /// `half` or less along it.
     fn drift(&self, axis: usize, at: DVec2, half: f64, drifts: &mut Vec<Drift>);
 
+    /// Whether the maps are `s z + 1` and `s z - 1` of the complex plane, s = x + i y: the family of the set M, of
+    /// which more is known than of others.
+    fn is_set_m(&self) -> bool {
+        false
+    }
+
     /// By how much the numbers of [`Family::fill`] may miss those of a smooth family, rounding aside.
     fn seam(&self) -> f64 {
         0.0
@@ -283,6 +289,10 @@ impl Family for Polygons {
         let linear = if axis == 0 { DMat2::IDENTITY } else { QUARTER };
         drifts.clear();
         drifts.resize(self.len(), Drift { speed: Affine2::new(linear, DVec2::ZERO), ..Drift::STILL });
+    }
+
+    fn is_set_m(&self) -> bool {
+        self.sides() == 2
     }
 }
 

@@ -9,6 +9,7 @@ pub(crate) mod fill;
 pub(crate) mod inner_differences;
 pub(crate) mod joint_bound;
 pub(crate) mod no_attractor;
+pub(crate) mod power_series_box;
 pub(crate) mod prove;
 pub(crate) mod silhouette;
 pub(crate) mod starts;

@@ -2,20 +2,56 @@
 //!
 //! The pieces of `M x + s` and `M x + t` are as far apart as 0 is from the values of the series
 //! `d + a_1 M d + a_2 M^2 d + ..`, where `d = s - t` and all a_k are -1, 0 or 1: they meet just if one of these
-//! vanishes (Barnsley & Harrington 1985; Bousch 1988). A sum of finitely many terms is a value, too.
+//! vanishes (Barnsley & Harrington 1985; Bousch 1988). A sum of finitely many terms is a value, too; and of all series
+//! that begin with a sum the values are as near it as the lengths of all further terms add up to.
+
+use std::f64::consts::FRAC_1_SQRT_2;
 
 use frond_core::Affine2;
-use glam::DVec2;
+use glam::{DMat2, DVec2};
 
-/// How far a sum may be from 0 to be gone on with, against the disc that the rest of the series reaches, squared.
+use crate::support::extremes::{larger, lesser};
+use crate::support::f64x4::{DVec2x4, F64x4};
+use crate::verdict::{Bounded, Sample, State};
+
+/// How far a sum may be from 0 for a quick look to go on with it, against the disc that the rest of the series reaches,
+/// squared.
 const SQUARE_TO_ENTER: f64 = 0.5;
-/// How often to go back, and how many steps in all.
+/// How often a quick look goes back, and how many steps it takes in all.
 const MOST_RETURNS: usize = 12;
 const MOST_STEPS: usize = 120;
 /// So many of the sums that were passed over last are kept: no fewer than the returns.
 const KEPT: usize = 16;
 /// Where maps shrink no faster other coordinates may be better.
 const LARGEST_NORM: f64 = 0.97;
+/// Sums looked at most for the least of all.
+const MOST_SUMS: usize = 400;
+/// Terms at most.
+const MOST_TERMS: usize = 96;
+/// How far the least value may be below the least found, relative to it.
+const BRACKET_WIDTH: f64 = 0.095;
+/// Finer resolutions are near what rounding leaves to see.
+const LEAST_EPSILON: f64 = 1e-11;
+/// What rounding adds to a sum, at most, for the length of its first term, where `1 / (1 - |M|)` is 1.
+const ROUNDING: f64 = 1e-14;
+/// What the terms leave out, against what is to be told.
+const LARGEST_REST: f64 = 0.004;
+/// Of half the angle between two of the eight directions.
+const COSINE: f64 = 0.980_785_280_403_230_4;
+
+/// The cosines of 0, 1, 2 and 3 eighths of half a turn.
+const EIGHTHS: [f64; 4] = [1.0, 0.923_879_532_511_286_7, FRAC_1_SQRT_2, 0.382_683_432_365_089_8];
+
+/// Looks for small values of the series of two maps; it keeps its memory for the next two.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct PowerSeries {
+    /// `M^k d`.
+    terms: Vec<DVec2>,
+    /// How far the terms from each on reach together, at most, along eight directions.
+    spans: Vec<[F64x4; 2]>,
+    /// Sums and how many terms they have.
+    open: Vec<(DVec2, usize)>,
+}
 
 /// A sum, the next term, and how far, squared, the sum may be from 0 when that is added or left out.
 #[derive(Clone, Copy)]
@@ -25,61 +61,158 @@ struct Sum {
     limit: f64,
 }
 
-/// Whether these are maps that [`nearest`] is for.
-pub(crate) fn are_two(maps: &[Affine2]) -> bool {
-    let fits = |map: &Affine2| map.translation.abs().max_element() < 1e100;
-    matches!(maps, [a, b] if a.linear == b.linear && a.norm() < LARGEST_NORM && fits(a) && fits(b))
-}
+impl PowerSeries {
+    /// What [`decide_bounds`](crate::decide_bounds) says of two maps of one linear part, but for where the attractor
+    /// lies; `None` where this does not tell, or of other maps. Without `bounds` the state and the gap alone.
+    pub fn decide(&mut self, maps: &[Affine2], epsilon: f64, bounds: bool) -> Option<Bounded> {
+        let [a, b] = maps else { return None };
+        let (d, norm) = (a.translation - b.translation, a.norm());
+        let size = a.translation.abs().max(b.translation.abs()).max_element();
+        // NaN is none of these.
+        let usual =
+            norm < LARGEST_NORM && size < 1e100 && d.length() > 1e-6 * size && epsilon >= LEAST_EPSILON;
+        if a.linear != b.linear || !usual {
+            return None;
+        }
+        // The attractor has the step between its pieces across, and more.
+        let found = self.quick_look(a.linear, norm, d, epsilon * d.length());
+        let touching = Sample { state: State::Touching, gap: 0.0 };
+        if found.is_some() && !bounds {
+            return Some(Bounded { sample: touching, ..Bounded::unknown(State::Touching) });
+        }
+        self.set(a.linear, norm, d, LARGEST_REST * epsilon);
+        let diameter = self.diameter();
+        let near = epsilon * diameter;
+        let upper = found.or_else(|| self.least(near))?;
+        let off = ROUNDING * d.length() / ((1.0 - norm) * (1.0 - norm));
+        let relative = |length: f64| length / diameter;
+        let known = Bounded {
+            lower: 0.0,
+            upper: relative(upper + off),
+            diameter,
+            ..Bounded::unknown(State::Touching)
+        };
+        if upper <= near {
+            return Some(Bounded { sample: touching, ..known });
+        }
+        let lower = (1.0 - BRACKET_WIDTH) * upper - off;
+        let gap = relative(f64::midpoint(lower, upper)) as f32;
+        let sample = Sample { state: State::Disconnected, gap };
+        (off < 0.01 * upper).then_some(Bounded { sample, lower: relative(lower), ..known })
+    }
 
-/// The square of the distance of two points, one in each of the pieces of two maps of one linear part, if it is found
-/// to be no more than `epsilon` times the distance of the images of one point, which the attractor has across.
-///
-/// Always on to where the sum is least, and back to the last that was passed over where that is too far from 0.
-pub(crate) fn nearest(maps: &[Affine2], epsilon: f64) -> Option<f64> {
-    let [a, b] = maps else { return None };
-    let (m, norm, d) = (a.linear, a.norm(), a.translation - b.translation);
-    let reach = epsilon * epsilon * d.length_squared();
-    // Of the series from the square of M on.
-    let rest = d.length_squared() * (norm * norm / (1.0 - norm)).powi(2);
-    let mut sum = Sum { at: d, term: m * d, limit: SQUARE_TO_ENTER * rest };
-    // A ring.
-    let mut passed = [sum; KEPT];
-    let (mut end, mut kept, mut back) = (0, 0, 0);
-    for _ in 0..MOST_STEPS {
-        let Sum { at, term, limit } = sum;
-        let square = at.length_squared();
-        // All further terms may be left out.
-        if square <= reach {
-            return Some(square);
+    /// The terms, down to a part `rest` of the first, and how far those from each on reach.
+    fn set(&mut self, m: DMat2, norm: f64, d: DVec2, rest: f64) {
+        self.terms.clear();
+        let (mut term, mut left) = (d, 1.0 / (1.0 - norm));
+        while left > rest && self.terms.len() < MOST_TERMS {
+            self.terms.push(term);
+            (term, left) = (m * term, left * norm);
         }
-        // Of adding the term and taking it away one is worse than leaving it out.
-        let along = at.dot(term);
-        let (moved, after) = (at - term * along.signum(), square + term.length_squared() - 2.0 * along.abs());
-        let ((best, least), (second, more)) =
-            if after < square { ((moved, after), (at, square)) } else { ((at, square), (moved, after)) };
-        let next = |at: DVec2| Sum { at, term: m * term, limit: limit * (norm * norm) };
-        if more < limit {
-            passed[end] = next(second);
-            (end, kept) = ((end + 1) % KEPT, KEPT.min(kept + 1));
-        }
-        if least < limit {
-            sum = next(best);
-        } else {
-            back += 1;
-            if back > MOST_RETURNS || kept == 0 {
-                return None;
-            }
-            (end, kept) = ((end + KEPT - 1) % KEPT, kept - 1);
-            sum = passed[end];
+        let beyond = F64x4::splat(left * d.length() * (1.0 + 1e-12));
+        self.spans.clear();
+        self.spans.resize(self.terms.len() + 1, [beyond; 2]);
+        let mut span = [beyond; 2];
+        for (k, &term) in self.terms.iter().enumerate().rev() {
+            let term = along(term);
+            span = [span[0] + term[0].abs(), span[1] + term[1].abs()];
+            self.spans[k] = span;
         }
     }
-    None
+
+    /// The diameter of the attractor, at most: it is as wide along a direction as the terms are, one by one.
+    fn diameter(&self) -> f64 {
+        let widest = self.spans[0][0].max(self.spans[0][1]).to_array().into_iter().fold(0.0, larger);
+        widest / COSINE * (1.0 + 1e-12)
+    }
+
+    /// How far a value is from 0 that is no farther than `reach`, if one is found: always on to where the sum is
+    /// least, and back to the last that was passed over where that is too far from 0.
+    fn quick_look(&self, m: DMat2, norm: f64, d: DVec2, reach: f64) -> Option<f64> {
+        // Of the series from the square of M on.
+        let rest = d.length_squared() * (norm * norm / (1.0 - norm)).powi(2);
+        let mut sum = Sum { at: d, term: m * d, limit: SQUARE_TO_ENTER * rest };
+        // A ring.
+        let mut passed = [sum; KEPT];
+        let (mut end, mut kept, mut back) = (0, 0, 0);
+        for _ in 0..MOST_STEPS {
+            let Sum { at, term, limit } = sum;
+            let square = at.length_squared();
+            // All further terms may be left out.
+            if square <= reach * reach {
+                return Some(square.sqrt());
+            }
+            // Of adding the term and taking it away one is worse than leaving it out.
+            let along = at.dot(term);
+            let (moved, after) =
+                (at - term * along.signum(), square + term.length_squared() - 2.0 * along.abs());
+            let ((best, least), (second, more)) =
+                if after < square { ((moved, after), (at, square)) } else { ((at, square), (moved, after)) };
+            let next = |at: DVec2| Sum { at, term: m * term, limit: limit * (norm * norm) };
+            if more < limit {
+                passed[end] = next(second);
+                (end, kept) = ((end + 1) % KEPT, KEPT.min(kept + 1));
+            }
+            if least < limit {
+                sum = next(best);
+            } else {
+                back += 1;
+                if back > MOST_RETURNS || kept == 0 {
+                    return None;
+                }
+                (end, kept) = ((end + KEPT - 1) % KEPT, kept - 1);
+                sum = passed[end];
+            }
+        }
+        None
+    }
+
+    /// How far the least value found is from 0, where it is known that none is much nearer: by the part
+    /// [`BRACKET_WIDTH`] at most. Or a value not farther than `near`.
+    fn least(&mut self, near: f64) -> Option<f64> {
+        let Self { terms, spans, open } = self;
+        let mut least = f64::INFINITY;
+        open.clear();
+        open.push((terms[0], 1));
+        for _ in 0..MOST_SUMS {
+            let Some((at, k)) = open.pop() else { return Some(least) };
+            least = lesser(least, at.length());
+            if least <= near {
+                return Some(least);
+            }
+            // All further values lie in the polygon about the sum that the terms left reach.
+            let [first, second] = along(at);
+            let apart = (first.abs() - spans[k][0]).max(second.abs() - spans[k][1]);
+            let [a, b, c, d] = apart.to_array();
+            if larger(larger(a, b), larger(c, d)) >= (1.0 - BRACKET_WIDTH) * least {
+                continue;
+            }
+            let &term = terms.get(k)?;
+            let moved = term * at.dot(term).signum();
+            // The most promising last.
+            open.push((at + moved, k + 1));
+            let mut two = [(at, k + 1), (at - moved, k + 1)];
+            if (at - moved).length_squared() > at.length_squared() {
+                two.swap(0, 1);
+            }
+            open.extend(two);
+        }
+        None
+    }
+}
+
+/// The parts of a vector along eight directions, all round.
+#[inline(always)]
+fn along(v: DVec2) -> [F64x4; 2] {
+    let v = DVec2x4::splat(v);
+    let directions =
+        DVec2x4 { x: F64x4::new(EIGHTHS), y: F64x4::new([0.0, EIGHTHS[3], EIGHTHS[2], EIGHTHS[1]]) };
+    let turned = DVec2x4 { x: -directions.y, y: directions.x };
+    [directions.dot(v), turned.dot(v)]
 }
 
 #[cfg(test)]
 mod tests {
-    use glam::DMat2;
-
     use super::*;
 
     fn pair(s: DVec2) -> [Affine2; 2] {
@@ -89,19 +222,24 @@ mod tests {
 
     #[test]
     fn pieces_on_a_line_are_as_near_as_is_said() {
+        let mut series = PowerSeries::default();
         for k in 0..200 {
-            let s = 0.4 + 0.0015 * f64::from(k);
+            let s = 0.3 + 0.0015 * f64::from(k);
             for sign in [1.0, -1.0] {
                 let maps = pair(DVec2::new(sign * s, 0.0));
-                assert!(are_two(&maps));
-                // Of -s they are those of s.
-                let gap = ((1.0 - 2.0 * s) / (1.0 - s)).max(0.0);
+                // Of -s they are those of s: an interval from one half on, 2 / (1 - s) across in any case.
+                let gap = 2.0 * (1.0 - 2.0 * s).max(0.0) / (1.0 - s);
                 for epsilon in [0.1, 1e-3, 1e-9] {
-                    let found = nearest(&maps, epsilon);
-                    // Just above one half only sums that reach as far as they can come near 0: those are passed over.
-                    assert!(found.is_some() || s < 0.56, "{s} {epsilon}");
-                    let (least, most) = (2.0 * gap * (1.0 - 1e-12), 2.0 * epsilon);
-                    assert!(found.is_none_or(|square| (least..=most).contains(&square.sqrt())), "{s}");
+                    let known = series.decide(&maps, epsilon, true);
+                    let Some(known) = known else {
+                        assert!((0.5..0.56).contains(&s), "{s} {epsilon}");
+                        continue;
+                    };
+                    let touches = known.sample.state == State::Touching;
+                    let [lower, upper] = [known.lower, known.upper].map(|x| x * known.diameter);
+                    assert!(lower <= gap && gap <= upper, "{s} {epsilon} {known:?}");
+                    assert!(known.upper <= epsilon * 1.0001 || !touches && known.lower > 0.0);
+                    assert!((2.0 / (1.0 - s)..2.06 / (1.0 - s)).contains(&known.diameter), "{known:?}");
                 }
             }
         }
@@ -109,10 +247,17 @@ mod tests {
 
     #[test]
     fn nothing_is_near_in_the_hole_and_outside() {
+        let mut series = PowerSeries::default();
         for s in [[0.0227, 0.703], [0.3, 0.4], [0.55, 0.2]] {
-            assert_eq!(nearest(&pair(DVec2::from(s)), 1e-6), None);
+            let known = series.decide(&pair(DVec2::from(s)), 1e-6, true).expect("an answer");
+            assert!(known.sample.state == State::Disconnected && known.lower > 0.0, "{known:?}");
+            assert!(known.lower >= 0.88 * known.upper);
         }
-        assert!(nearest(&pair(DVec2::new(0.2, 0.67)), 1e-6).is_some());
-        assert!(!are_two(&pair(DVec2::new(0.98, 0.1))) && !are_two(&pair(DVec2::splat(f64::NAN))));
+        let known = series.decide(&pair(DVec2::new(0.2, 0.67)), 1e-6, true).expect("an answer");
+        assert_eq!(known.sample.state, State::Touching);
+        for bad in [DVec2::new(0.98, 0.1), DVec2::splat(f64::NAN)] {
+            assert!(series.decide(&pair(bad), 1e-6, true).is_none());
+        }
+        assert!(series.decide(&pair(DVec2::new(0.2, 0.67)), f64::NAN, true).is_none());
     }
 }

@@ -29,4 +29,10 @@ impl Extent {
         let up = if L == 6 { (lane / 3) as f64 * 2.0 - 1.0 } else { 0.0 };
         self.middle + self.half * DVec2::new(across, up)
     }
+
+    /// How far its points are from 0, at least and at most.
+    pub fn distances(&self) -> [f64; 2] {
+        let middle = self.middle.abs();
+        [(middle - self.half).max(DVec2::ZERO).length(), (middle + self.half).length()]
+    }
 }

@@ -15,12 +15,13 @@ use std::ops::Range;
 use frond_core::Affine2;
 use glam::DVec2;
 
-use crate::decide::Scratch;
+use crate::decide::{Scratch, decide};
 use crate::family::Family;
 use crate::grid::{LocusGrid, Tile};
 use crate::region::descent::Descent;
 use crate::region::extent::Extent;
 use crate::region::no_attractor::never_contracts;
+use crate::region::power_series_box::PowerSeriesBoxes;
 use crate::region::starts::Starts;
 use crate::region::trap::Effort;
 use crate::verdict::{Sample, State};
@@ -67,6 +68,7 @@ impl LocusGrid {
             maps,
             descent,
             starts: Starts::default(),
+            series: PowerSeriesBoxes::default(),
             debt: 0.0,
         };
         if count > 0 {
@@ -110,6 +112,7 @@ struct BoxFill<'a> {
     maps: Vec<Affine2>,
     descent: Descent<6>,
     starts: Starts,
+    series: PowerSeriesBoxes,
     /// Looks that were spent on crossings in vain, less what the samples decided since then are worth.
     debt: f64,
 }
@@ -141,13 +144,20 @@ impl BoxFill<'_> {
             return Sample { state, gap: self.tile.gap[i] };
         }
         let Self { grid, family, epsilon, scratch, maps, starts, .. } = self;
-        let start = starts.of((x, y), &mut |(x, y), start| {
+        let sample = if family.is_set_m() {
+            // It is found at once.
             family.fill(grid.u(x), grid.v(y), maps);
-            scratch.find_trails(maps, *epsilon, start).clone()
-        });
-        family.fill(grid.u(x), grid.v(y), maps);
-        let sample = scratch.decide_from(maps, *epsilon, LocusGrid::budget(maps.len()), start);
-        starts.keep((x, y), scratch.trails());
+            decide(maps, *epsilon, LocusGrid::BUDGET, scratch)
+        } else {
+            let start = starts.of((x, y), &mut |(x, y), start| {
+                family.fill(grid.u(x), grid.v(y), maps);
+                scratch.find_trails(maps, *epsilon, start).clone()
+            });
+            family.fill(grid.u(x), grid.v(y), maps);
+            let sample = scratch.decide_from(maps, *epsilon, LocusGrid::budget(maps.len()), start);
+            starts.keep((x, y), scratch.trails());
+            sample
+        };
         self.debt = (self.debt - LOOKS_PER_SAMPLE).max(0.0);
         self.tile.state[i] = sample.state as u8;
         self.tile.gap[i] = sample.gap;
@@ -199,13 +209,7 @@ impl BoxFill<'_> {
         if apart != (middle.state == State::Disconnected) || whole != middle.state.holds() {
             return false;
         }
-        // The areas of two maps may fill the plane in a box of any size.
-        if whole && open < LEAST_OPEN_TO_CROSS && self.family.len() > 2
-            || !self.descent.lanes.set(self.family, extent, &mut self.scratch.frame)
-        {
-            return false;
-        }
-        if apart { self.part(area, corners, middle) } else { self.join(area, open) }
+        if apart { self.part(area, extent, corners, middle) } else { self.join(area, extent, open) }
     }
 
     /// How many samples of an area are not decided yet.
@@ -216,7 +220,7 @@ impl BoxFill<'_> {
     }
 
     /// Decides an area that seems disconnected.
-    fn part(&mut self, area: Area, corners: &[Sample; 4], middle: Sample) -> bool {
+    fn part(&mut self, area: Area, extent: Extent, corners: &[Sample; 4], middle: Sample) -> bool {
         let Area { x0, y0, x1, y1 } = area;
         let gaps = corners.map(|sample| f64::from(sample.gap));
         let narrowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
@@ -229,39 +233,75 @@ impl BoxFill<'_> {
         let seen = f64::from(middle.gap);
         let off = (shade(halfway(x0, x1), halfway(y0, y1)) - seen).abs();
         // The attractor is at least about as large as the disc it lies in.
-        if off > (0.05 * seen).max(0.005) || self.descent.lanes.widest_margin() > 2.0 * narrowest {
+        if off > (0.05 * seen).max(0.005) {
             return false;
         }
-        self.descent.set_support();
-        let Some(least) = self.descent.separate(0.7 * narrowest, LOOKS_TO_SEPARATE) else { return false };
-        // Lengths of the plane are between so many times those of the lanes.
-        let (long, short) = Affine2::new(self.descent.lanes.from_round, DVec2::ZERO).singular_values();
-        let proved = least * short / (self.descent.diameter().1 * long) * (1.0 - 1e-12);
-        if proved <= self.epsilon {
-            return false;
-        }
+        let proved = if self.family.is_set_m() {
+            self.far_from_m(extent, narrowest)
+        } else {
+            self.apart(extent, narrowest)
+        };
+        let Some(proved) = proved.filter(|&proved| proved > self.epsilon) else { return false };
         self.cover(area, State::Disconnected, |x, y| shade(x, y).max(proved) as f32);
         true
     }
 
+    /// A lower bound of the widest gap over its diameter, over a box where it seems no narrower than `narrowest`.
+    fn apart(&mut self, extent: Extent, narrowest: f64) -> Option<f64> {
+        let lanes = &mut self.descent.lanes;
+        if !lanes.set(self.family, extent, &mut self.scratch.frame) || lanes.widest_margin() > 2.0 * narrowest
+        {
+            return None;
+        }
+        self.descent.set_support();
+        let least = self.descent.separate(0.7 * narrowest, LOOKS_TO_SEPARATE)?;
+        // Lengths of the plane are between so many times those of the lanes.
+        let (long, short) = Affine2::new(self.descent.lanes.from_round, DVec2::ZERO).singular_values();
+        Some(least * short / (self.descent.diameter().1 * long) * (1.0 - 1e-12))
+    }
+
+    /// The same for the family of the set M.
+    fn far_from_m(&mut self, extent: Extent, narrowest: f64) -> Option<f64> {
+        let radius = extent.half.length();
+        let room = 1.0 - (extent.middle.length() + radius);
+        // The attractor is at least as large as the step between its pieces, 2, and at most that over the room; its gap
+        // is twice what the series stay away by.
+        let least = (0.5 * narrowest).max(self.epsilon / room * (1.0 + 1e-9));
+        let away = self.series.stay_away(extent.middle, radius, least);
+        away.then_some(least * room * (1.0 - 1e-12))
+    }
+
     /// Decides an area that seems connected.
-    fn join(&mut self, area: Area, open: usize) -> bool {
-        let filled = self.descent.lanes.areas_fill();
+    fn join(&mut self, area: Area, extent: Extent, open: usize) -> bool {
+        let worth = open >= LEAST_OPEN_TO_CROSS;
+        let (m, [nearest, farthest]) = (self.family.is_set_m(), extent.distances());
+        // The areas of two maps may fill the plane in a box of any size.
+        let filled = m && nearest * nearest > 0.5 + 1e-9 && farthest < 1.0 - 1e-9;
         if !filled {
-            if open < LEAST_OPEN_TO_CROSS
-                || self.descent.lanes.stray() > LARGEST_STRAY
-                || self.debt > MOST_DEBT
+            if !worth && (m || self.family.len() > 2)
+                || !self.descent.lanes.set(self.family, extent, &mut self.scratch.frame)
             {
                 return false;
             }
-            self.descent.set_support();
-            if self.descent.cross(f64::INFINITY, EFFORT_TO_CROSS).is_none() {
-                self.debt += self.descent.nodes as f64;
+            if !(self.descent.lanes.areas_fill() || worth && self.crosses()) {
                 return false;
             }
         }
         self.cover(area, State::Connected, |_, _| 0.0);
         true
+    }
+
+    /// Whether pieces cross throughout the box that the lanes are set for.
+    fn crosses(&mut self) -> bool {
+        if self.descent.lanes.stray() > LARGEST_STRAY || self.debt > MOST_DEBT {
+            return false;
+        }
+        self.descent.set_support();
+        let found = self.descent.cross(f64::INFINITY, EFFORT_TO_CROSS).is_some();
+        if !found {
+            self.debt += self.descent.nodes as f64;
+        }
+        found
     }
 
     fn cover(&mut self, area: Area, state: State, gap: impl Fn(usize, usize) -> f32) {
