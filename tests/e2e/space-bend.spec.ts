@@ -9,13 +9,14 @@ const complete = (page: Page) =>
 const packed = async (studio: { scene(): Promise<{ space?: { packed: string } }> }) =>
   (await studio.scene()).space?.packed ?? "";
 
-test("a lattice bends a shape by key, hand and number, and undo brings every bit back", async ({
+test("a lattice bends a shape by key, hand and number, and undo makes it straight again", async ({
   studio,
   page,
 }) => {
   await studio.open("tool=space&space=o:tetrahedron");
   await complete(page);
   const straight = await studio.look();
+  const start = await packed(studio);
   await page.getByRole("radio", { name: "Bend", exact: true }).check({ force: true });
   await page.getByRole("button", { name: "Bend it" }).click();
   const handle = page.getByRole("button", { name: /^Handle 3, 3, 3,/ });
@@ -46,6 +47,6 @@ test("a lattice bends a shape by key, hand and number, and undo brings every bit
   expect(await packed(studio)).toBe(dragged);
   for (let step = 0; step < 3; step++) await undo.click();
   await expect(undo).toBeDisabled();
-  await complete(page);
-  expect((await studio.look()).hash).toBe(straight.hash);
+  // The view went where all handles are seen: to look is nothing to undo.
+  expect(await packed(studio)).toBe(start);
 });
