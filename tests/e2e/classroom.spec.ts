@@ -35,8 +35,8 @@ test("a lesson is shown step by step by keys, with a dot for the mouse, and left
   await expect(page.getByRole("button", { name: "Show as slides" })).toBeVisible();
 });
 
-test("a link leads to a slide, and says so where it was copied", async ({ page, context }) => {
-  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+test("a link leads to a slide, and says so where it was copied", async ({ page }) => {
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.goto("./#learn/e6/slide=3");
   const bar = page.getByRole("toolbar", { name: "Slides" });
   await expect(bar).toContainText("3 of 5 What do you think?");
