@@ -25,10 +25,10 @@ it("goes with the maps where they are split, and is told only where it was given
 
 it("goes from that of one shape to that of the other", () => {
   const maps = mapsOf("gasket");
-  const ends = [
+  const ends: [frond.Ifs, frond.Ifs] = [
     { maps, probabilities: [0.5, 0.25, 0.25] },
     { maps, probabilities: [0.2, 0.3, 0.5] },
-  ] as const;
+  ];
   const at = (u: number, correspondence = [0, 1, 2]) =>
     frond.interpolate(...ends, { u, v: u, correspondence }).probabilities;
   expect(at(0)).toEqual([0.5, 0.25, 0.25]);
