@@ -10,10 +10,10 @@ test("a shape of several states is chosen beside a system, morphed, undone and k
   await studio.open("v=1&a=gasket&b=koch&path=straight");
   const before = await studio.look();
   await page.getByRole("button", { name: /^Shape A: / }).click();
-  await page
-    .getByRole("region", { name: "Shapes of several states" })
-    .getByRole("button", { name: /^Snowflake/ })
-    .click();
+  const shelf = page.getByRole("region", { name: "Shapes of several states" });
+  // It is fetched once it is seen, by keys too.
+  await shelf.focus();
+  await shelf.getByRole("button", { name: /^Snowflake/ }).click();
   await expect(page.getByRole("dialog")).toHaveCount(0);
   const card = page.getByRole("button", { name: /^Shape A: / });
   await expect(card).toHaveAccessibleName(/^Shape A: Snowflake, 2 states, 7 maps/);

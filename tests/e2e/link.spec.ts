@@ -123,7 +123,7 @@ test("to the figures and back, nothing is lost", async ({ studio, page }) => {
 test("links that were given out show their pictures", async ({ studio, page }) => {
   // What each is, and that all open, tests/api/links.test.ts knows; here one of each way of drawing.
   const drawn = given.filter((link) => /compare=1|colour=density|colour=grid|locus=5|picture=3/.test(link));
-  expect(drawn).toHaveLength(5);
+  expect(drawn).toHaveLength(6);
   await studio.open();
   for (const link of drawn) {
     await test.step(link, async () => {

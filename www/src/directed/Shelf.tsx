@@ -1,4 +1,4 @@
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { chooseDirected } from "#document/directed/edits";
 import { selection } from "#document/morph";
 import { announce, wordsOf } from "#document/notice";
@@ -26,11 +26,19 @@ export function DirectedShelf({ end, onChosen }: ShelfProps) {
   const [problem, setProblem] = useState<string | null>(null);
   const [pictures, setPictures] = useState<ReadonlyMap<string, ImageBitmap | null>>(new Map());
   const { colouring, palette } = stageStyle.value;
+  const section = useRef<HTMLElement>(null);
   useEffect(() => {
-    loadDirected().then(
-      () => setPresets(directed.directedPresets()),
-      (reason) => setProblem(wordsOf(reason)),
-    );
+    // Most who open a gallery want what stands above: what shows these is fetched for who looks here.
+    const seen = new IntersectionObserver((entries) => {
+      if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+      seen.disconnect();
+      loadDirected().then(
+        () => setPresets(directed.directedPresets()),
+        (reason) => setProblem(wordsOf(reason)),
+      );
+    });
+    if (section.current) seen.observe(section.current);
+    return () => seen.disconnect();
   }, []);
   useEffect(() => {
     const ended = new AbortController();
@@ -55,7 +63,13 @@ export function DirectedShelf({ end, onChosen }: ShelfProps) {
   };
   const drawn = new Map([...pictures].flatMap(([id, bitmap]) => (bitmap ? [[id, bitmap] as const] : [])));
   return (
-    <section class={css["directed-shelf"]} aria-labelledby={title}>
+    <section
+      ref={section}
+      class={css["directed-shelf"]}
+      aria-labelledby={title}
+      // While nothing in it can be walked to, it can itself, and so comes into sight.
+      tabIndex={pictures.size > 0 ? -1 : 0}
+    >
       <h3 id={title}>Shapes of several states</h3>
       <p class="hint">
         {problem === null
