@@ -3,8 +3,8 @@ import { wordsOf } from "#document/notice";
 import type { View } from "#geometry/coordinates";
 import type { Bend } from "#wasm/api";
 import type { RenderStyle } from "#wasm/core";
+import { CanvasPainter } from "../surface/canvas-painter";
 import type { PainterState } from "../surface/painter";
-import type { Pixels } from "../surface/surface";
 import { lookOf, paintCurve } from "./paint";
 
 /** What is to be seen. Sizes are device pixels, `view.scale` is in CSS pixels a unit. */
@@ -49,9 +49,7 @@ export function moved(bend: Bend | null): Bend | null {
 }
 
 /** Keeps one canvas showing a closed curve: one polyline a frame, the latest wish wins. */
-export class CurvePainter {
-  readonly #canvas = document.createElement("canvas");
-  readonly #onState: (state: PainterState) => void;
+export class CurvePainter extends CanvasPainter {
   readonly #onBendProblem: (problem: string | null) => void;
   #wanted: CurveRequest | null = null;
   #drawn: CurveRequest | null = null;
@@ -59,54 +57,25 @@ export class CurvePainter {
   /** How many times coarser than it should be the next frame is. */
   #coarse = 1;
   #fine = false;
-  #state: PainterState = {
-    backend: "canvas",
-    complete: false,
-    settled: false,
-    points: 0,
-    empty: false,
-    preview: false,
-  };
 
   constructor(
     host: HTMLElement,
     onState: (state: PainterState) => void,
     onBendProblem: (problem: string | null) => void,
   ) {
-    this.#canvas.setAttribute("aria-hidden", "true");
-    host.prepend(this.#canvas);
-    this.#onState = onState;
+    super(host, onState);
     this.#onBendProblem = onBendProblem;
   }
 
   show(wanted: CurveRequest): void {
     this.#wanted = wanted;
-    this.#set({ complete: false, settled: false });
+    this.tell({ complete: false, settled: false });
     this.#schedule();
   }
 
-  async pixels(): Promise<Pixels> {
-    const { width, height } = this.#canvas;
-    // Of a copy: a canvas that is read itself is drawn otherwise from then on.
-    const copy = new OffscreenCanvas(Math.max(1, width), Math.max(1, height));
-    const context = copy.getContext("2d", { willReadFrequently: true });
-    if (!context) throw new Error("There is no picture yet.");
-    context.drawImage(this.#canvas, 0, 0);
-    const { data } = context.getImageData(0, 0, copy.width, copy.height);
-    return { width: copy.width, height: copy.height, data };
-  }
-
-  /** There is no device to lose. */
-  forceLoss(): void {}
-
-  close(): void {
+  override close(): void {
     if (this.#frame) cancelAnimationFrame(this.#frame);
-    this.#canvas.remove();
-  }
-
-  #set(change: Partial<PainterState>): void {
-    this.#state = { ...this.#state, ...change };
-    this.#onState(this.#state);
+    super.close();
   }
 
   #schedule(): void {
@@ -127,14 +96,14 @@ export class CurvePainter {
     else if (took < SOON_MS) this.#coarse = Math.max(1, this.#coarse / 1.5);
     this.#drawn = wanted;
     this.#fine = coarse === 1;
-    this.#set({ complete: this.#fine, settled: this.#fine, points });
+    this.tell({ complete: this.#fine, settled: this.#fine, points });
     if (!this.#fine) this.#schedule();
   }
 
   /** How many vertices it has. */
   #paint(wanted: CurveRequest, coarse: number): number {
     const { morph, s, view, style, width, height, ratio } = wanted;
-    const canvas = this.#canvas;
+    const canvas = this.canvas;
     if (canvas.width !== width || canvas.height !== height) {
       canvas.width = width;
       canvas.height = height;

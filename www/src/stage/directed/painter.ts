@@ -5,8 +5,8 @@ import { toError } from "#wasm/error";
 import { directedTask } from "#workers/directed/client";
 import type { Moment } from "#workers/directed/moment";
 import { InTurn, isStopped } from "#workers/lanes/latest";
+import { CanvasPainter } from "../surface/canvas-painter";
 import type { PainterState } from "../surface/painter";
-import type { Pixels } from "../surface/surface";
 import { directedLook } from "./options";
 
 /** What is to be seen. Sizes are device pixels, `view.scale` is in CSS pixels a unit. */
@@ -25,63 +25,33 @@ const LATE_MS = 40;
 const COARSEST = 6;
 
 /** Keeps one canvas showing a graph-directed shape, which a worker draws: the latest wish wins, and none starves. */
-export class DirectedPainter {
-  readonly #canvas = document.createElement("canvas");
-  readonly #onState: (state: PainterState) => void;
+export class DirectedPainter extends CanvasPainter {
   readonly #onProblem: (problem: string | null) => void;
   readonly #turn = new InTurn();
   readonly #end = new AbortController();
   #wanted: DirectedRequest | null = null;
   /** How many times coarser than it should be the first picture of a wish is. */
   #coarse = 2;
-  #state: PainterState = {
-    backend: "canvas",
-    complete: false,
-    settled: false,
-    points: 0,
-    empty: false,
-    preview: false,
-  };
 
   constructor(
     host: HTMLElement,
     onState: (state: PainterState) => void,
     onProblem: (problem: string | null) => void,
   ) {
-    this.#canvas.setAttribute("aria-hidden", "true");
-    host.prepend(this.#canvas);
-    this.#onState = onState;
+    super(host, onState);
     this.#onProblem = onProblem;
   }
 
   show(wanted: DirectedRequest): void {
     this.#wanted = wanted;
-    this.#set({ complete: false, settled: false });
+    this.tell({ complete: false, settled: false });
     this.#turn.ask(() => this.#draw(wanted));
   }
 
-  async pixels(): Promise<Pixels> {
-    const { width, height } = this.#canvas;
-    const copy = new OffscreenCanvas(Math.max(1, width), Math.max(1, height));
-    const context = copy.getContext("2d", { willReadFrequently: true });
-    if (!context) throw new Error("There is no picture yet.");
-    context.drawImage(this.#canvas, 0, 0);
-    const { data } = context.getImageData(0, 0, copy.width, copy.height);
-    return { width: copy.width, height: copy.height, data };
-  }
-
-  /** There is no device to lose. */
-  forceLoss(): void {}
-
-  close(): void {
+  override close(): void {
     this.#turn.clear();
     this.#end.abort();
-    this.#canvas.remove();
-  }
-
-  #set(change: Partial<PainterState>): void {
-    this.#state = { ...this.#state, ...change };
-    this.#onState(this.#state);
+    super.close();
   }
 
   /** Coarse where that is needed, then complete, unless something else is wanted by then. */
@@ -94,15 +64,15 @@ export class DirectedPainter {
       const slow = Math.sqrt((performance.now() - began) / LATE_MS);
       this.#coarse = slow < 1 ? 1 : Math.min(COARSEST, Math.ceil(slow) + 1);
       this.#onProblem(null);
-      if (wanted === this.#wanted) this.#set({ complete: true, settled: true, empty: false });
+      if (wanted === this.#wanted) this.tell({ complete: true, settled: true, empty: false });
     } catch (problem) {
       if (isStopped(problem)) return;
       const { code } = toError(problem);
       // Maps that do not contract leave nothing to be seen; of all else what was there stays.
       const empty = code === "no-attractor" || code === "attractor-unproved";
-      this.#canvas.style.visibility = empty ? "hidden" : "visible";
+      this.canvas.style.visibility = empty ? "hidden" : "visible";
       this.#onProblem(wordsOf(problem));
-      if (wanted === this.#wanted) this.#set({ complete: true, settled: true, empty });
+      if (wanted === this.#wanted) this.tell({ complete: true, settled: true, empty });
     }
   }
 
@@ -119,7 +89,7 @@ export class DirectedPainter {
       smooth: coarse === 1,
     };
     const bitmap = await directedTask("moment", { moment, options }, { signal: this.#end.signal });
-    const canvas = this.#canvas;
+    const canvas = this.canvas;
     canvas.width = wanted.width;
     canvas.height = wanted.height;
     canvas.getContext("2d")?.drawImage(bitmap, 0, 0, wanted.width, wanted.height);
