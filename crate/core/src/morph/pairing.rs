@@ -225,19 +225,23 @@ mod tests {
             Ifs::new(corners.iter().map(|&[e, f]| Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, f])).collect())
                 .unwrap()
         };
-        let two = halves(&[[0.0, 0.0], [0.5, 0.1]]).with_probabilities(&[1.0, 4.0]).unwrap();
-        for count in 2..9 {
-            let other = halves(&vec![[0.1, 0.2]; count]);
-            for paired in [pair(&two, &other), pair(&other, &two)] {
-                let two_first = paired.from.len() == count && paired.to == other.maps();
-                let (maps, p) = if two_first {
-                    (&paired.from, &paired.from_probabilities)
-                } else {
-                    (&paired.to, &paired.to_probabilities)
-                };
-                assert!((p.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{p:?}");
-                let apart = mean(maps, p) - mean(two.maps(), two.probabilities());
-                assert!(apart.length() < 1e-12, "{count} maps: {apart}");
+        let corners = [[0.0, 0.0], [0.5, 0.1], [0.2, 0.6]];
+        // Two are refined alone; of three, which refining makes five, some are doubled.
+        for (own, weights) in [(2, &[1.0, 4.0][..]), (3, &[1.0, 4.0, 2.0])] {
+            let system = halves(&corners[..own]).with_probabilities(weights).unwrap();
+            for count in own..9 {
+                let other = halves(&vec![[0.1, 0.2]; count]);
+                for paired in [pair(&system, &other), pair(&other, &system)] {
+                    let first = paired.from.len() == count && paired.to == other.maps();
+                    let (maps, p) = if first {
+                        (&paired.from, &paired.from_probabilities)
+                    } else {
+                        (&paired.to, &paired.to_probabilities)
+                    };
+                    assert!((p.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{p:?}");
+                    let apart = mean(maps, p) - mean(system.maps(), system.probabilities());
+                    assert!(apart.length() < 1e-12, "{own} to {count} maps: {apart}");
+                }
             }
         }
     }
