@@ -14,6 +14,7 @@
 //! - [`Fitter`] fits a [`ClosedCurve`], knots with edges that are straight or copies of arcs, which is closed by
 //!   construction, no farther from the outline than the best polyline of as many numbers, and crosses itself nowhere
 //!   that the outline does not.
+//! - [`fit_within`] fits a [`Spline`] of corners and parabolas on a grid within so many bytes.
 //! - [`CurveMorph`] brings two closed curves to one structure; at every moment between them there is a closed curve.
 //! - [`Outline`] is a closed polyline that is to be fitted; [`features`] finds its feature points, [`fidelity`] says
 //!   how near a fit is to it.
@@ -63,6 +64,7 @@ mod preset;
 mod read;
 mod segment;
 mod series;
+mod spline;
 
 pub use baseline::{bezier, bezier_segments, fourier, least_squares_polyline, split_polyline};
 pub use closed::{
@@ -95,3 +97,4 @@ pub use segment::{
     Channel, Component, MAX_PIXELS, Mask, MaskOptions, Notice, Stroke, TraceError, Traced, Tracer,
 };
 pub use series::Series;
+pub use spline::{LEAST_BYTES, MAX_NODES, MOST_BYTES, Node, Spline, SplineError, SplineFit, fit_within};

@@ -11,6 +11,7 @@ mod prepare;
 mod thin;
 
 pub use boxes::{box_slope, box_slope_of};
+pub(crate) use crossing::turn;
 pub use crossing::{contacts, crossings};
 pub use decimate::decimated;
 pub use features::features;

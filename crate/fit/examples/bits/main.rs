@@ -12,7 +12,7 @@ mod rivals;
 mod spline;
 
 use descent::Descent;
-use frond_fit::{Outline, crossings, decimated, fidelity, island, maple_leaf, oak_leaf};
+use frond_fit::{Outline, crossings, decimated, fidelity, fit_within, island, maple_leaf, oak_leaf};
 use glam::DVec2;
 use spline::Node;
 
@@ -139,6 +139,17 @@ fn measure(name: &str, outline: &Outline, bytes: usize) {
             near.slope_difference()
         );
     };
+    let begin = std::time::Instant::now();
+    if let Some(fit) = fit_within(outline, bytes) {
+        let spline = &fit.spline;
+        let (on, off) = (spline.corners(), spline.nodes.len() - spline.corners());
+        let seconds = begin.elapsed().as_secs_f64();
+        report(
+            "within bytes",
+            &spline.polyline(16),
+            &format!("{} bytes in all, {on} on, {off} off, {seconds:.1} s", fit.bytes.len()),
+        );
+    }
     if let Some((line, copies)) = rivals::packed(outline, bytes, &error) {
         report("fit, packed", &line, &format!("{copies} copies"));
     }

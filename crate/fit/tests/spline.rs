@@ -1,0 +1,115 @@
+//! Fits within so many bytes: they come back as they were, cross nothing, and are no worse than polylines.
+
+use frond_fit::{
+    Guard, Node, Outline, Spline, SplineError, decimated, fidelity, fit_within, island, maple_leaf,
+};
+use glam::DVec2;
+use proptest::prelude::*;
+
+/// Fits, and holds the fit to all that it promises.
+fn fitted(outline: &Outline, bytes: usize) -> f64 {
+    let fit = fit_within(outline, bytes).unwrap();
+    assert!(fit.bytes.len() <= bytes);
+    let back = Spline::from_bytes(&fit.bytes).unwrap();
+    assert_eq!(back, fit.spline);
+    let line = back.polyline(16);
+    let near = fidelity(outline, &line);
+    let guard = Guard::new(outline).unwrap();
+    if guard.is_strict() {
+        assert!(guard.passes(&line), "{bytes} bytes");
+        assert!(guard.passes(&back.polyline(5)), "{bytes} bytes");
+    }
+    // Corners alone, on any grid.
+    let diagonal = outline.diagonal();
+    for corners in [3, 5, bytes / 3, bytes / 2, bytes * 2 / 3] {
+        let marks = decimated(outline, corners);
+        for fine in 5..12 {
+            let grid = (diagonal * 0.5_f64.powi(fine)).log2().floor().exp2();
+            let at = |&mark: &usize| Node { at: (outline.points()[mark] / grid).round(), on: true };
+            let plain = Spline { nodes: marks.iter().map(at).collect(), grid };
+            if plain.to_bytes().is_ok_and(|packed| packed.len() <= bytes) {
+                let line = plain.polyline(1);
+                if line.len() >= 3 && guard.passes(&line) {
+                    assert!(near.rms <= fidelity(outline, &line).rms, "{corners} corners, 2^-{fine}");
+                }
+            }
+        }
+    }
+    near.rms
+}
+
+#[test]
+fn grown_leaves_are_nearer_with_more_bytes() {
+    for points in [maple_leaf(3), island(5)] {
+        let outline = Outline::new(&points).unwrap().resampled(500);
+        let [few, many] = [32, 50].map(|bytes| fitted(&outline, bytes));
+        assert!(many < 0.9 * few, "{few} {many}");
+    }
+}
+
+#[test]
+fn degenerate_outlines_have_fits() {
+    let triangle = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(DVec2::from);
+    assert!(fitted(&Outline::new(&triangle).unwrap(), 32) < 0.2);
+    let spike = [[0.0, 0.0], [1.0, 0.0], [3.0, 0.0], [2.0, 0.0], [1.0, 1.0]].map(DVec2::from);
+    let along = [[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 1e-9], [0.5, 1e-9]].map(DVec2::from);
+    let eight: Vec<_> = (0..300)
+        .map(|i| DVec2::from_angle(f64::from(i) / 300.0 * std::f64::consts::TAU))
+        .map(|p| DVec2::new(p.x, p.x * p.y))
+        .collect();
+    for (points, scale) in [(&spike[..], 1e-90), (&along[..], 1.0), (&eight, 1e9)] {
+        let scaled: Vec<_> = points.iter().map(|p| *p * scale).collect();
+        let outline = Outline::new(&scaled).unwrap();
+        let fit = fit_within(&outline, 36).unwrap();
+        assert!(fit.bytes.len() <= 36 && fit.near.rms < 3.0, "{scale}: {}", fit.near.rms);
+        assert_eq!(Spline::from_bytes(&fit.bytes).unwrap(), fit.spline);
+    }
+    let far: Vec<_> = triangle.iter().map(|p| *p + DVec2::splat(1e15)).collect();
+    assert!(fit_within(&Outline::new(&far).unwrap(), 32).is_none_or(|fit| fit.bytes.len() <= 32));
+}
+
+#[test]
+fn what_is_no_curve_is_refused() {
+    assert_eq!(Spline::from_bytes(&[]), Err(SplineError::UnknownVersion));
+    assert_eq!(Spline::from_bytes(&[1, 2, 3]), Err(SplineError::UnknownVersion));
+    let node = |x: f64, y: f64| Node { at: DVec2::new(x, y), on: true };
+    let mut spline = Spline { nodes: vec![node(0.0, 0.0), node(1.0, 0.0), node(0.0, 2000.0)], grid: 1.0 };
+    assert_eq!(spline.to_bytes(), Err(SplineError::TooLarge));
+    spline.nodes[2].at.y = 0.5;
+    assert_eq!(spline.to_bytes(), Err(SplineError::Unsound));
+    spline.nodes.pop();
+    assert_eq!(spline.to_bytes(), Err(SplineError::Unsound));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn any_bytes_are_a_curve_or_none(mut bytes in proptest::collection::vec(any::<u8>(), 0..60)) {
+        bytes.insert(0, 2);
+        // Some hundred million products are many for a test: long steps are left out.
+        if bytes.len() > 8 {
+            bytes[1] = 64;
+            bytes[3] = 0;
+            bytes[4] &= 7;
+        }
+        if let Ok(spline) = Spline::from_bytes(&bytes) {
+            prop_assert!(spline.is_sound());
+        }
+    }
+
+    #[test]
+    fn curves_come_back_as_they_were(
+        places in proptest::collection::vec((-40_i32..40, -40_i32..40, any::<bool>()), 3..60),
+        shift in -1_000_000_i64..1_000_000,
+        exponent in -300..300,
+    ) {
+        let nodes = places
+            .iter()
+            .map(|&(x, y, on)| Node { at: DVec2::new(f64::from(x) + shift as f64, f64::from(y)), on })
+            .collect();
+        let spline = Spline { nodes, grid: 1.5 * f64::from(exponent).exp2() };
+        let bytes = spline.to_bytes().unwrap();
+        prop_assert_eq!(Spline::from_bytes(&bytes).unwrap(), spline);
+    }
+}
