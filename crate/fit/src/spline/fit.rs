@@ -168,7 +168,8 @@ fn followed(outline: &Outline, bytes: usize) -> Outline {
 /// corners chosen by least squares, each on the finest grid on which it fits into as many bytes of the same form. Where
 /// the outline meets itself nowhere, the curve does not either.
 ///
-/// None where nothing was found: the outline lies so far from the origin that places take too many bytes.
+/// None where nothing was found: the outline lies so far from the origin that places take too many bytes, or is so thin
+/// that on a grid of some hundred steps it would fall together.
 #[must_use]
 pub fn fit_within(outline: &Outline, bytes: usize) -> Option<SplineFit> {
     let budget = bytes.clamp(LEAST_BYTES, MOST_BYTES);
@@ -187,7 +188,7 @@ pub fn fit_within(outline: &Outline, bytes: usize) -> Option<SplineFit> {
         let line = Straight::new(&prepared, count.max(3), guard.clone()).finish();
         contest.show_polygon(&line.knots);
     }
-    if contest.best.is_none() {
+    if contest.best.is_none() && contest.guard.as_ref().is_some_and(|guard| !guard.is_strict()) {
         // So few bytes cannot follow the outline to where it meets itself.
         contest.guard = None;
     }
