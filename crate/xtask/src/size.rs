@@ -11,11 +11,13 @@ use flate2::write::GzEncoder;
 use crate::command::{Outcome, root};
 use crate::stamp;
 
+/// Bytes of the module that describes and draws, at most: all of wasm that the first picture needs.
+const MOST_FIRST_BYTES: usize = 308_000;
 /// Bytes of wasm to the first picture that a graphics card draws, by WebGPU, at most: the module that describes and
 /// draws, which computes a coarse one at once, and the renderer.
 const MOST_PICTURE_BYTES: usize = 650_000;
 /// Bytes of the renderer for WebGL2 at most: old laptops and phones are who needs it.
-const MOST_WEBGL2_BYTES: usize = 265_000;
+const MOST_WEBGL2_BYTES: usize = 260_000;
 /// Bytes of the scripts that index.html loads by itself, at most; what is loaded when asked for is not among them.
 const MOST_SCRIPT_BYTES: usize = 80_000;
 
@@ -53,7 +55,7 @@ pub fn gate() -> Outcome {
     }
     let mut fits = true;
     for (what, bytes, most) in [
-        ("wasm to the first picture", first, Some(MOST_PICTURE_BYTES)),
+        ("wasm to the first picture", first, Some(MOST_FIRST_BYTES)),
         ("the same with WebGPU", first + webgpu, Some(MOST_PICTURE_BYTES)),
         ("the renderer for WebGL2", webgl2, Some(MOST_WEBGL2_BYTES)),
         ("wasm in all with WebGPU", first + proof + webgpu, None),

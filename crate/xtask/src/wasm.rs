@@ -13,9 +13,12 @@ use crate::step::Steps;
 use crate::tools::{self, WASM_TARGET};
 
 /// How a module is made smaller: without drawing functions into each other, which LLVM has done, takes half of the time
-/// and changes no size worth speaking of. Then what the module may use: the names of .cargo/config.toml's features, as
-/// wasm-opt has them, with those that Rust turns on by itself.
-const OPTIMISE: &str = "-O3 --skip-pass=inlining-optimizing --enable-simd --enable-bulk-memory --enable-bulk-memory-opt --enable-nontrapping-float-to-int \
+/// and changes no size worth speaking of. Twice, since the second time finds 0.2% more. Nothing lies in the first 1024
+/// bytes but the last kilobyte of the stack (the linker puts it below all data), so that an offset can go into the
+/// instruction that reads: where the sum would wrap, it traps. Then what the module may use: the names of
+/// .cargo/config.toml's features, as wasm-opt has them, with those that Rust turns on by itself.
+const OPTIMISE: &str = "--low-memory-unused -O3 -O3 --skip-pass=inlining-optimizing --strip-producers \
+    --strip-target-features --enable-simd --enable-bulk-memory --enable-bulk-memory-opt --enable-nontrapping-float-to-int \
     --enable-sign-ext --enable-mutable-globals --enable-reference-types --enable-multivalue \
     --enable-call-indirect-overlong";
 
