@@ -2,11 +2,10 @@ import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { curveAtBoth, type End, sameCurves, swapCurves } from "#document/curve/changes";
 import { curveMorph, curves } from "#document/curve/curve";
-import { backToSystems } from "#document/curve/edits";
 import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
+import { BackToSystems } from "#stage/curve/BackToSystems";
 import { CurveThumb } from "#stage/curve/CurveThumb";
-import { Button } from "#ui/controls/Button";
 import { Menu } from "#ui/overlay/Menu";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
@@ -45,17 +44,7 @@ export function CurvePanel({ choose }: CurvePanelProps) {
       <Colours />
       <SaveButtons />
       <section class={curveCss["curve-back"]} aria-label="Systems">
-        <Button
-          kind="quiet"
-          icon="back"
-          onClick={() => {
-            backToSystems();
-            const { a, b } = scene.peek();
-            announce(`Back to systems of maps: ${a.name} and ${b.name}.`);
-          }}
-        >
-          Back to systems of maps
-        </Button>
+        <BackToSystems />
       </section>
     </>
   );

@@ -1,9 +1,8 @@
 import { verdictPhrase, verdictWords } from "#format/verdict";
 import { answerNow, isStale, toldNow, toldStates } from "#stage/directed/known";
-import { EvidenceChip } from "#stage/EvidenceChip";
+import { VerdictChip } from "#stage/EvidenceChip";
 import panelCss from "#stage/evidence-panel.module.css";
 import { evidenceOpen } from "#stage/evidence-shown";
-import stageCss from "#stage/stage.module.css";
 import { IconButton } from "#ui/controls/Button";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
 import css from "./directed.module.css";
@@ -15,16 +14,8 @@ const CHIP_ID = "directed-chip";
 
 /** What holds for the graph-directed shape on the stage, in words; pressed, it tells what holds for each state. */
 export function DirectedChip() {
-  const { tone, text, aside } = verdictWords(toldNow.value);
-  return (
-    <EvidenceChip id={CHIP_ID} panel={PANEL_ID} stale={isStale.value}>
-      <VerdictSign tone={tone} />
-      <span class={stageCss["chip-words"]}>
-        <span class={stageCss["chip-text"]}>{text}</span>
-        {aside !== "" && <span class={stageCss["chip-aside"]}>{aside}</span>}
-      </span>
-    </EvidenceChip>
-  );
+  const words = verdictWords(toldNow.value);
+  return <VerdictChip id={CHIP_ID} panel={PANEL_ID} stale={isStale.value} words={words} />;
 }
 
 /** As many states are listed. */

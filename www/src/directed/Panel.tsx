@@ -2,9 +2,9 @@ import { computed } from "@preact/signals";
 import { useState } from "preact/hooks";
 import { directedAtBoth, type End, sameDirected, setStates, swapDirected } from "#document/directed/changes";
 import { directedShapes } from "#document/directed/directed";
-import { leaveDirected } from "#document/directed/edits";
 import { announce } from "#document/notice";
 import { edit, endGesture, scene } from "#document/scene";
+import { BackToSystems } from "#stage/curve/BackToSystems";
 import { directedProblem, wayFacts } from "#stage/directed/known";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Menu } from "#ui/overlay/Menu";
@@ -68,17 +68,7 @@ export function DirectedPanel({ choose }: DirectedPanelProps) {
           >
             Save as JSON
           </Button>
-          <Button
-            kind="quiet"
-            icon="back"
-            onClick={() => {
-              leaveDirected();
-              const { a, b } = scene.peek();
-              announce(`Back to systems of maps: ${a.name} and ${b.name}.`);
-            }}
-          >
-            Back to systems of maps
-          </Button>
+          <BackToSystems />
         </div>
       </section>
     </>

@@ -1,6 +1,8 @@
 import { useSignalEffect } from "@preact/signals";
 import type { ComponentChildren } from "preact";
+import type { VerdictWords } from "#format/verdict";
 import { listenForEscape } from "#ui/escape";
+import { VerdictSign } from "#ui/shapes/VerdictSign";
 import { evidenceOpen } from "./evidence-shown";
 import css from "./stage.module.css";
 
@@ -38,5 +40,22 @@ export function EvidenceChip({ id, panel, stale = false, children }: EvidenceChi
     >
       {children}
     </button>
+  );
+}
+
+interface VerdictChipProps extends Omit<EvidenceChipProps, "children"> {
+  words: VerdictWords;
+}
+
+/** One of the four verdicts as what is known. */
+export function VerdictChip({ words: { tone, text, aside }, ...chip }: VerdictChipProps) {
+  return (
+    <EvidenceChip {...chip}>
+      <VerdictSign tone={tone} />
+      <span class={css["chip-words"]}>
+        <span class={css["chip-text"]}>{text}</span>
+        {aside !== "" && <span class={css["chip-aside"]}>{aside}</span>}
+      </span>
+    </EvidenceChip>
   );
 }

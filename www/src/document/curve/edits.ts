@@ -1,9 +1,9 @@
-/** Edits that go between systems and closed curves, with the mesh going along. Each is one undo step. */
+/** Edits that go from systems to closed curves, with the mesh going along. Each is one undo step. */
 import type { CurvePreset, CurveShape, Scene } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { boxAround } from "../framing";
 import { edit, scene } from "../scene";
-import { type End, withCurve, withoutCurves } from "./changes";
+import { type End, withCurve } from "./changes";
 import { curveBox, curved } from "./curve";
 
 let loaded: readonly CurvePreset[] | null = null;
@@ -44,11 +44,6 @@ export function bendCurve(shape: CurveShape): CurveShape | null {
   const partner = partnerOf(shape);
   edit((before) => ({ ...withCurve(before, "a", shape, partner, around), t: 0 }));
   return first ? partner : null;
-}
-
-/** The systems again, after a change of theirs if there is one. */
-export function backToSystems(change: (scene: Scene) => Scene = (now) => now): void {
-  edit((before) => withoutCurves(change(before), ({ a }) => boxAround(a.maps)));
 }
 
 /** What the fit has found, as an end of a morph. */

@@ -4,6 +4,6 @@ import { standIn } from "../stand-in";
 
 /** An edit of the systems: where something stood in their place they are back. One undo step. */
 export async function editSystems(change: (scene: Scene) => Scene): Promise<void> {
-  if (standIn.peek()) (await import("./edits")).backToSystems(change);
+  if (standIn.peek()) (await import("./back")).backToSystems(change);
   else edit(change);
 }

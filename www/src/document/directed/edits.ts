@@ -1,7 +1,5 @@
 /** Edits that go between systems and graph-directed shapes. Each is one undo step. */
 import type { DirectedShape, Shape } from "#wasm/api";
-import { withoutCurves } from "../curve/changes";
-import { boxAround } from "../framing";
 import { edit } from "../scene";
 import { type End, withDirected, withSystem } from "./changes";
 
@@ -13,9 +11,4 @@ export function chooseDirected(end: End, shape: DirectedShape): void {
 /** A system for one end, beside a graph-directed shape. */
 export function chooseSystem(end: End, shape: Shape): void {
   edit((before) => withSystem(before, end, shape));
-}
-
-/** The systems again that were there before. */
-export function leaveDirected(): void {
-  edit((before) => withoutCurves(before, ({ a }) => boxAround(a.maps)));
 }

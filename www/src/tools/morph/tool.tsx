@@ -5,9 +5,9 @@ import type { ToolEntry } from "#stage/tool";
 import { commands, timeline } from "./commands";
 import { MorphPanel } from "./index";
 import { EvidencePanel, fetchAhead, StandIn } from "./later";
+import { MorphChip } from "./MorphChip";
 import { namedMaps } from "./parts";
 import { MorphStrip } from "./strip/MorphStrip";
-import { VerdictChip } from "./VerdictChip";
 
 export const morph: ToolEntry = {
   id: "morph",
@@ -16,7 +16,7 @@ export const morph: ToolEntry = {
   side: "Shapes and path",
   tool: {
     Overlay: MapOverlay,
-    Verdict: () => (standIn.value ? <StandIn part="chip" /> : <VerdictChip />),
+    Verdict: () => (standIn.value ? <StandIn part="chip" /> : <MorphChip />),
     Evidence: () => (standIn.value ? <StandIn part="evidence" /> : evidenceOpen.value && <EvidencePanel />),
     Panel: MorphPanel,
     Strip: MorphStrip,

@@ -1,4 +1,4 @@
-import { leaveDirected } from "#document/directed/edits";
+import { backToSystems } from "#document/curve/back";
 import { announce } from "#document/notice";
 import { openTool } from "#document/tool";
 import { Button } from "#ui/controls/Button";
@@ -24,7 +24,7 @@ export function Unbent() {
           <Button
             kind="quiet"
             onClick={() => {
-              leaveDirected();
+              backToSystems();
               announce("The systems of maps are back.");
             }}
           >

@@ -4,9 +4,7 @@ import { verdict } from "#compute/results";
 import { announce } from "#document/notice";
 import { playing } from "#document/playback";
 import { type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
-import { EvidenceChip } from "#stage/EvidenceChip";
-import stageCss from "#stage/stage.module.css";
-import { VerdictSign } from "#ui/shapes/VerdictSign";
+import { VerdictChip } from "#stage/EvidenceChip";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 
 const words = computed<VerdictWords>(() =>
@@ -14,18 +12,10 @@ const words = computed<VerdictWords>(() =>
 );
 
 /** What holds for the picture on the stage, in words; pressed, it tells why. */
-export function VerdictChip() {
+export function MorphChip() {
   useAnnouncement();
-  const { tone, text, aside } = words.value;
-  return (
-    <EvidenceChip id={CHIP_ID} panel={PANEL_ID} stale={verdict.value?.stale ?? false}>
-      <VerdictSign tone={tone} />
-      <span class={stageCss["chip-words"]}>
-        <span class={stageCss["chip-text"]}>{text}</span>
-        {aside !== "" && <span class={stageCss["chip-aside"]}>{aside}</span>}
-      </span>
-    </EvidenceChip>
-  );
+  const stale = verdict.value?.stale ?? false;
+  return <VerdictChip id={CHIP_ID} panel={PANEL_ID} stale={stale} words={words.value} />;
 }
 
 const REST_MS = 900;
