@@ -39,15 +39,16 @@ impl Encoder {
         self.put(number, 1, all);
     }
 
-    /// Writes a number of any size, in twice as many bits as it has.
+    /// Writes a number below 2^60, in twice as many bits as it has.
     pub fn gamma(&mut self, number: u64) {
-        let bits = u64::from(number.saturating_add(1).ilog2());
+        let number = number + 1;
+        let bits = number.ilog2();
         for _ in 0..bits {
             self.even(1, 2);
         }
         self.even(0, 2);
         for i in 0..bits {
-            self.even((number + 1) >> i & 1, 2);
+            self.even(number >> i & 1, 2);
         }
     }
 
@@ -135,11 +136,11 @@ impl<'a> Decoder<'a> {
                 return None;
             }
         }
-        let mut number = 1 << bits;
+        let mut number = 1_u64 << bits;
         for i in 0..bits {
             number |= self.even(2) << i;
         }
-        Some((number & !(1 << bits) | 1 << bits) - 1)
+        Some(number - 1)
     }
 
     /// Whether it reads far behind the end.
