@@ -50,3 +50,28 @@ fn meet(a: &[DVec2], b: &[DVec2]) -> bool {
         && turn(a[0], a[1], b[0]) * turn(a[0], a[1], b[1]) <= 0
         && turn(b[0], b[1], a[0]) * turn(b[0], b[1], a[1]) <= 0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn many(line: &[[f64; 2]], rest: &[[f64; 2]]) -> usize {
+        let points = |list: &[[f64; 2]]| list.iter().copied().map(DVec2::from).collect::<Vec<_>>();
+        meetings(&points(line), &points(rest))
+    }
+
+    #[test]
+    fn what_meets_is_counted_and_what_follows_on_is_not() {
+        let rest = [[4.0, 0.0], [4.0, 3.0], [0.0, 3.0], [0.0, 0.0]];
+        assert_eq!(many(&[[0.0, 0.0], [2.0, 1.0], [4.0, 0.0]], &rest), 0);
+        // Through the far side and back, and up to it.
+        assert_eq!(many(&[[0.0, 0.0], [2.0, 4.0], [4.0, 0.0]], &rest), 2);
+        assert_eq!(many(&[[0.0, 0.0], [1.0, 3.0], [2.0, 1.0], [4.0, 0.0]], &rest), 2);
+        // Through itself.
+        assert_eq!(many(&[[0.0, 0.0], [3.0, 2.0], [3.0, 1.0], [1.0, 2.0], [4.0, 0.0]], &rest), 2);
+        // Back along the side before, at its beginning, inside and at its end: what goes on from there leaves it again.
+        assert_eq!(many(&[[0.0, 0.0], [0.0, 1.0], [4.0, 0.0]], &rest), 2);
+        assert_eq!(many(&[[0.0, 0.0], [2.0, 1.0], [2.0, 2.0], [2.0, 1.5], [4.0, 0.0]], &rest), 2);
+        assert_eq!(many(&[[0.0, 0.0], [4.0, 1.0], [4.0, 0.0]], &rest), 2);
+    }
+}
