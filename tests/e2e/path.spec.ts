@@ -153,7 +153,9 @@ test("where the automatic path breaks, a way that holds is found and offered", a
   await studio.open("a=koch&b=dragon&path=auto");
   const use = page.getByRole("button", { name: "Use it" });
   await use.waitFor({ timeout: 60_000 });
-  await expect(page.locator(".side")).toContainText("Joint by joint it holds together all the way.");
+  await expect(page.locator(".side")).toContainText(
+    "Joint by joint it holds together all the way, but for rounding.",
+  );
   // Nothing was changed before it is asked for.
   const before = await studio.scene();
   expect(before.b.preset).toBe("dragon");

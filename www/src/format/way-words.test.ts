@@ -7,7 +7,7 @@ describe("offerWords", () => {
   it("says what a way is worth before it says why", () => {
     const words = offerWords({ kind: "joints", about: "All joints stay joined." }, holds, 0.08);
     expect(words).toEqual({
-      what: "Joint by joint it holds together all the way.",
+      what: "Joint by joint it holds together all the way, but for rounding.",
       why: "All joints stay joined.",
     });
     expect(offerWords({ kind: "correspondence", about: "" }, holds, 0.08).what).toBe(

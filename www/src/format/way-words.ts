@@ -12,7 +12,9 @@ export function offerWords(
     way === null ? "The stretch runs ahead of the turn, or behind it: a third parameter, w." : way.about;
   if (!plan.holds)
     return { what: `Another way breaks less: ${shareWords(plan.gap)}, not ${shareWords(gap)}.`, why };
-  if (way?.kind === "joints") return { what: "Joint by joint it holds together all the way.", why };
+  // Joints of doubles meet within some 1e-15 of the diameter, and no bound says that they do exactly.
+  if (way?.kind === "joints")
+    return { what: "Joint by joint it holds together all the way, but for rounding.", why };
   if (way === null) return { what: "With a third parameter it holds together.", why };
   return { what: `${NAMES[way.kind] ?? "Another way"} it holds together.`, why };
 }
