@@ -1,8 +1,8 @@
 import { verdictPhrase, verdictWords } from "#format/verdict";
 import { answerNow, isStale, toldNow, toldStates } from "#stage/directed/known";
-import { VerdictChip } from "#stage/EvidenceChip";
-import panelCss from "#stage/evidence-panel.module.css";
-import { evidenceOpen } from "#stage/evidence-shown";
+import { VerdictChip } from "#stage/evidence/Chip";
+import panelCss from "#stage/evidence/panel.module.css";
+import { evidenceOpen } from "#stage/evidence/shown";
 import { IconButton } from "#ui/controls/Button";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
 import css from "./directed.module.css";

@@ -143,7 +143,7 @@ export function Stage({
 }
 
 /** It lies over the picture, which does not wait for it. */
-const Evidence = lazily(() => import("./evidence").then((module) => module.Evidence));
+const Evidence = lazily(() => import("./evidence/marks").then((module) => module.Evidence));
 /** Loaded with the panel of the maps. */
 const Handles = lazily(() => import("./handles/Handles").then((module) => module.Handles));
 /** Loaded when there is a curve to draw, or a graph-directed shape. */

@@ -6,7 +6,7 @@ import { reducedMotion } from "#document/preferences";
 import { inGesture, scene } from "#document/scene";
 import { type Box, blendTracks, boxAt, sameTrack, type Track } from "#geometry/boxes";
 import type { Size, View } from "#geometry/coordinates";
-import { panelInset } from "./evidence-shown";
+import { panelInset } from "./evidence/shown";
 
 /** What part of the plane the stage shows; null fits the whole attractor. */
 export const view = signal<View | null>(null);

@@ -3,7 +3,7 @@ import { route } from "#document/link";
 import { playing } from "#document/playback";
 import { scene } from "#document/scene";
 import { tool } from "#document/tool";
-import { evidenceOpen } from "#stage/evidence-shown";
+import { evidenceOpen } from "#stage/evidence/shown";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Icon } from "#ui/controls/Icon";
 import css from "./guide.module.css";

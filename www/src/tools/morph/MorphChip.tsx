@@ -4,7 +4,7 @@ import { verdict } from "#compute/results";
 import { announce } from "#document/notice";
 import { playing } from "#document/playback";
 import { type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
-import { VerdictChip } from "#stage/EvidenceChip";
+import { VerdictChip } from "#stage/evidence/Chip";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 
 const words = computed<VerdictWords>(() =>

@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import { createRef } from "preact";
 import { selection } from "#document/morph";
-import { evidenceOpen } from "#stage/evidence-shown";
+import { evidenceOpen } from "#stage/evidence/shown";
 import type { End } from "./changes";
 
 /** The end whose shape is being chosen; null while the gallery is closed. */

@@ -1,5 +1,5 @@
 import { standIn } from "#document/stand-in";
-import { evidenceOpen } from "#stage/evidence-shown";
+import { evidenceOpen } from "#stage/evidence/shown";
 import { MapOverlay } from "#stage/stage";
 import type { ToolEntry } from "#stage/tool";
 import { commands, timeline } from "./commands";

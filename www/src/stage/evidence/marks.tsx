@@ -6,10 +6,10 @@ import { shareOf, shareWords, stateOf } from "#format/verdict";
 import { toScreen, world } from "#geometry/coordinates";
 import { STATE } from "#geometry/states";
 import type { Certificate, Connectedness, Link, MapRow } from "#wasm/api";
-import { evidenceMarked } from "./evidence-shown";
-import { stageStyle } from "./picture-style";
-import css from "./stage.module.css";
-import { effectiveView, stageSize } from "./view";
+import { stageStyle } from "../picture-style";
+import css from "../stage.module.css";
+import { effectiveView, stageSize } from "../view";
+import { evidenceMarked } from "./shown";
 
 /** Links that are drawn; more would hide the picture that they are about. */
 const MOST_LINKS = 150;

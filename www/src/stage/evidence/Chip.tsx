@@ -3,8 +3,8 @@ import type { ComponentChildren } from "preact";
 import type { VerdictWords } from "#format/verdict";
 import { listenForEscape } from "#ui/escape";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
-import { evidenceOpen } from "./evidence-shown";
-import css from "./stage.module.css";
+import css from "../stage.module.css";
+import { evidenceOpen } from "./shown";
 
 interface EvidenceChipProps {
   id: string;

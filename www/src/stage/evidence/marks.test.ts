@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Certificate } from "#wasm/api";
-import { hullsOf } from "./evidence";
+import { hullsOf } from "./marks";
 
 const certificate: Certificate = {
   maps: [
