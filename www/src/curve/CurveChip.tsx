@@ -3,10 +3,8 @@ import { useEffect } from "preact/hooks";
 import { sameCurves } from "#document/curve/changes";
 import { curves } from "#document/curve/curve";
 import { EvidenceChip } from "#stage/evidence/Chip";
-import panelCss from "#stage/evidence/panel.module.css";
-import { evidenceOpen } from "#stage/evidence/shown";
+import { EvidencePanel } from "#stage/evidence/Panel";
 import stageCss from "#stage/stage.module.css";
-import { IconButton } from "#ui/controls/Button";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
 import css from "./curve.module.css";
 import { factsNow, watchFacts } from "./facts";
@@ -45,26 +43,15 @@ export function CurveChip() {
 
 /** Why it is one closed curve. */
 export function CurveEvidence() {
-  if (!evidenceOpen.value) return null;
-  const close = () => {
-    evidenceOpen.value = false;
-    document.getElementById(CHIP_ID)?.focus();
-  };
   const crosses = crossingWords(crossings.value);
   return (
-    <section class={panelCss["panel"]} id={PANEL_ID} aria-labelledby={`${PANEL_ID}-title`}>
-      <header class={panelCss["head"]}>
-        <h2 id={`${PANEL_ID}-title`}>One closed curve, by construction</h2>
-        <IconButton icon="close" label="Close the evidence" kind="quiet" onClick={close} />
-      </header>
-      <div class={panelCss["body"]}>
-        <p>{whyWords(names.value)}</p>
-        <p>
-          {crosses === ""
-            ? "Just now it does not cross itself, either, as far as a five hundredth of its size tells."
-            : `It may cross itself, which neither opens nor parts it: just now it ${crosses}, as far as a five hundredth of its size tells.`}
-        </p>
-      </div>
-    </section>
+    <EvidencePanel id={PANEL_ID} chip={CHIP_ID} title="One closed curve, by construction">
+      <p>{whyWords(names.value)}</p>
+      <p>
+        {crosses === ""
+          ? "Just now it does not cross itself, either, as far as a five hundredth of its size tells."
+          : `It may cross itself, which neither opens nor parts it: just now it ${crosses}, as far as a five hundredth of its size tells.`}
+      </p>
+    </EvidencePanel>
   );
 }

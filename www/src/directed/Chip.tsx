@@ -1,9 +1,7 @@
 import { verdictPhrase, verdictWords } from "#format/verdict";
 import { answerNow, isStale, toldNow, toldStates } from "#stage/directed/known";
 import { VerdictChip } from "#stage/evidence/Chip";
-import panelCss from "#stage/evidence/panel.module.css";
-import { evidenceOpen } from "#stage/evidence/shown";
-import { IconButton } from "#ui/controls/Button";
+import { EvidencePanel } from "#stage/evidence/Panel";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
 import css from "./directed.module.css";
 import { Answer, Remarks } from "./Found";
@@ -23,42 +21,31 @@ const MOST_SHOWN = 24;
 
 /** What is known of every state. */
 export function DirectedEvidence() {
-  if (!evidenceOpen.value) return null;
-  const close = () => {
-    evidenceOpen.value = false;
-    document.getElementById(CHIP_ID)?.focus();
-  };
   const answer = answerNow.value;
   const states = toldStates.value;
   const always = states[0]?.verdict === "connected" && answer?.states[0]?.verdict !== "connected";
   return (
-    <section class={panelCss["panel"]} id={PANEL_ID} aria-labelledby={`${PANEL_ID}-title`}>
-      <header class={panelCss["head"]}>
-        <h2 id={`${PANEL_ID}-title`}>What is known of each state</h2>
-        <IconButton icon="close" label="Close the evidence" kind="quiet" onClick={close} />
-      </header>
-      <div class={panelCss["body"]}>
-        {answer === null && <p>{verdictPhrase(toldNow.value)}</p>}
-        {always ? (
-          <p>It is in one piece at every moment of this way: its pieces share points that never part.</p>
-        ) : (
-          <Answer of={answer?.states[0]} />
-        )}
-        <ol class={css["states"]}>
-          {states.slice(0, MOST_SHOWN).map((state, k) => (
-            <li key={k}>
-              <VerdictSign tone={verdictWords(state).tone} />
-              <span>
-                State {k + 1}
-                {k === 0 && states.length > 1 && ", the shape"}: {verdictPhrase(state)}
-                <small>{madeOf(answer?.system.states[k] ?? [])}</small>
-              </span>
-            </li>
-          ))}
-        </ol>
-        {states.length > MOST_SHOWN && <p class="hint">… and {states.length - MOST_SHOWN} more.</p>}
-        {answer && <Remarks unreached={answer.facts.unreached} />}
-      </div>
-    </section>
+    <EvidencePanel id={PANEL_ID} chip={CHIP_ID} title="What is known of each state">
+      {answer === null && <p>{verdictPhrase(toldNow.value)}</p>}
+      {always ? (
+        <p>It is in one piece at every moment of this way: its pieces share points that never part.</p>
+      ) : (
+        <Answer of={answer?.states[0]} />
+      )}
+      <ol class={css["states"]}>
+        {states.slice(0, MOST_SHOWN).map((state, k) => (
+          <li key={k}>
+            <VerdictSign tone={verdictWords(state).tone} />
+            <span>
+              State {k + 1}
+              {k === 0 && states.length > 1 && ", the shape"}: {verdictPhrase(state)}
+              <small>{madeOf(answer?.system.states[k] ?? [])}</small>
+            </span>
+          </li>
+        ))}
+      </ol>
+      {states.length > MOST_SHOWN && <p class="hint">… and {states.length - MOST_SHOWN} more.</p>}
+      {answer && <Remarks unreached={answer.facts.unreached} />}
+    </EvidencePanel>
   );
 }

@@ -2,7 +2,7 @@
 import { fetchCurves } from "#curve/parts";
 import { lazily } from "#ui/lazy";
 
-const evidence = () => import("./evidence/Panel").then((module) => module.EvidencePanel);
+const evidence = () => import("./evidence/Panel").then((module) => module.MorphEvidence);
 const gallery = () => import("./shapes/Gallery").then((module) => module.Gallery);
 const maps = () => import("./maps/MapEditor").then((module) => module.MapEditor);
 const motion = () => import("./MotionPanel").then((module) => module.MotionPanel);
@@ -15,7 +15,7 @@ const standIn = () => import("./StandIn").then((module) => module.StandIn);
 const toBoundary = () => import("./locus/view/ToBoundary").then((module) => module.ToBoundary);
 const familyNotes = () => import("./locus/families/FamilyNotes").then((module) => module.FamilyNotes);
 
-export const EvidencePanel = lazily(evidence);
+export const MorphEvidence = lazily(evidence);
 export const Gallery = lazily(gallery);
 export const MapEditor = lazily(maps);
 export const MotionPanel = lazily(motion);

@@ -4,7 +4,7 @@ import { MapOverlay } from "#stage/stage";
 import type { ToolEntry } from "#stage/tool";
 import { commands, timeline } from "./commands";
 import { MorphPanel } from "./index";
-import { EvidencePanel, fetchAhead, StandIn } from "./later";
+import { fetchAhead, MorphEvidence, StandIn } from "./later";
 import { MorphChip } from "./MorphChip";
 import { namedMaps } from "./parts";
 import { MorphStrip } from "./strip/MorphStrip";
@@ -17,7 +17,7 @@ export const morph: ToolEntry = {
   tool: {
     Overlay: MapOverlay,
     Verdict: () => (standIn.value ? <StandIn part="chip" /> : <MorphChip />),
-    Evidence: () => (standIn.value ? <StandIn part="evidence" /> : evidenceOpen.value && <EvidencePanel />),
+    Evidence: () => (standIn.value ? <StandIn part="evidence" /> : evidenceOpen.value && <MorphEvidence />),
     Panel: MorphPanel,
     Strip: MorphStrip,
     timeline,

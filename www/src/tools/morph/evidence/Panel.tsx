@@ -8,9 +8,9 @@ import { scene } from "#document/scene";
 import { percent } from "#format/path-words";
 import { shareOf, shareWords, verdictWords } from "#format/verdict";
 import { hulls } from "#stage/evidence/marks";
-import panelCss from "#stage/evidence/panel.module.css";
-import { evidenceKept, evidenceOpen } from "#stage/evidence/shown";
-import { Button, IconButton } from "#ui/controls/Button";
+import { EvidencePanel } from "#stage/evidence/Panel";
+import { evidenceKept } from "#stage/evidence/shown";
+import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { download, plainName } from "#ui/files/download";
 import { Graph } from "#ui/shapes/Graph";
@@ -21,32 +21,19 @@ import { CHIP_ID, PANEL_ID } from "./ids";
 import { Proof } from "./Proof";
 import { accountOf, addressWords, clusterWords, gapWords, linkWords } from "./words";
 
-function close(): void {
-  evidenceOpen.value = false;
-  document.getElementById(CHIP_ID)?.focus();
-}
-
 /** What is known of the picture on the stage, and why. */
-export function EvidencePanel() {
-  if (!evidenceOpen.value) return null;
+export function MorphEvidence() {
   // While something moves, the last answer stands.
   const answer = verdict.value;
   return (
-    <section
-      class={panelCss["panel"]}
+    <EvidencePanel
       id={PANEL_ID}
-      aria-labelledby={`${PANEL_ID}-title`}
-      data-stale={answer?.stale ? "" : undefined}
+      chip={CHIP_ID}
+      title={verdictWords(answer?.connectedness ?? null, answer?.epsilon).text}
+      stale={answer?.stale ?? false}
     >
-      <header class={panelCss["head"]}>
-        <h2 id={`${PANEL_ID}-title`}>{verdictWords(answer?.connectedness ?? null, answer?.epsilon).text}</h2>
-        <IconButton icon="close" label="Close the evidence" kind="quiet" onClick={close} />
-      </header>
-      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, and keys have to reach it */}
-      <div class={panelCss["body"]} tabIndex={0}>
-        {answer && <Account answer={answer.connectedness} epsilon={answer.epsilon} />}
-      </div>
-    </section>
+      {answer && <Account answer={answer.connectedness} epsilon={answer.epsilon} />}
+    </EvidencePanel>
   );
 }
 
