@@ -45,3 +45,22 @@ test("a link of two of them opens with what is proved of the way and of each sta
   await page.getByRole("button", { name: "Back to Morph" }).click();
   expect((await studio.scene()).directed?.a.preset).toBe("snowflake");
 });
+
+test("what changes is said aloud", async ({ studio, page }) => {
+  await studio.open(LINK.replace("linear", "polar"));
+  await expect(studio.verdict).toContainText("In one piece, proved");
+  const time = page.getByRole("spinbutton", { name: "Time in percent" });
+  const said = page.locator("p[aria-live=polite]");
+  // The first is not said; it is the first only once it has been there for a moment.
+  await expect(async () => {
+    await time.fill("0");
+    await time.press("Enter");
+    await expect(studio.verdict).toContainText("In one piece, proved");
+    await time.fill("50");
+    await time.press("Enter");
+    await expect(said).toHaveText("Looks whole at 1/600", { timeout: 5000 });
+  }).toPass();
+  await time.fill("0");
+  await time.press("Enter");
+  await expect(said).toHaveText("In one piece, proved");
+});

@@ -2,6 +2,8 @@ import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { sameCurves } from "#document/curve/changes";
 import { curves } from "#document/curve/curve";
+import { playing } from "#document/playback";
+import { useSaidAtRest } from "#stage/evidence/aloud";
 import { EvidenceChip } from "#stage/evidence/Chip";
 import { EvidencePanel } from "#stage/evidence/Panel";
 import stageCss from "#stage/stage.module.css";
@@ -19,9 +21,15 @@ const names = computed(() => {
   return now && !sameCurves(now) ? { a: now.a.name, b: now.b.name } : null;
 });
 
+const asideOf = (count: number) => crossingWords(count) || "by construction";
+
 /** That the curve is in one piece, as it is by construction, and whether it crosses itself; pressed, it tells why. */
 export function CurveChip() {
   useEffect(watchFacts, []);
+  useSaidAtRest(() => ({
+    text: factsNow.value ? `One closed curve, ${asideOf(factsNow.value.crossings)}` : "",
+    moving: playing.value,
+  }));
   const crosses = crossingWords(crossings.value);
   return (
     <EvidenceChip id={CHIP_ID} panel={PANEL_ID}>
@@ -36,7 +44,7 @@ export function CurveChip() {
         </svg>
       )}
       <span class={stageCss["chip-text"]}>One closed curve</span>
-      <span class={stageCss["chip-aside"]}>{crosses === "" ? "by construction" : crosses}</span>
+      <span class={stageCss["chip-aside"]}>{asideOf(crossings.value)}</span>
     </EvidenceChip>
   );
 }
