@@ -1,5 +1,5 @@
 //! How fast a locus is decided, against the index buffer in the same run: `cargo bench -p frond-locus`; with a word
-//! after `--`, only the patches whose name has it.
+//! after `--`, only the patches whose name has it: `pair`, say, of twenty pairs of the gallery.
 //!
 //! The morph is that of Burch & Hart's Fig 7, reconstructed: Heighway's dragon as three maps
 //! {w1, w2 w1, w2 w2} to the Sierpinski gasket, over [-1, 2] x [-1, 2], on one core.
@@ -7,6 +7,7 @@
 mod boxes;
 #[path = "../tests/common/mod.rs"]
 mod common;
+mod pairs;
 mod set_m;
 
 use frond_core::Ifs;
@@ -26,6 +27,7 @@ fn main() {
     let only = std::env::args().skip(1).find(|arg| !arg.starts_with('-'));
     if only.is_some() {
         boxes::report(&morph, f64::NAN, only.as_deref());
+        pairs::report(only.as_deref());
         return;
     }
     let mut scratch = Scratch::default();
@@ -69,4 +71,5 @@ fn main() {
         println!("full answer, {name}: {:.1} us", seconds * 1e6);
     }
     boxes::report(&morph, buffer, None);
+    pairs::report(None);
 }

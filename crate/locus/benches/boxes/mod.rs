@@ -9,7 +9,7 @@ use frond_testing::least_time;
 use crate::RUNS;
 
 /// The states of a patch by their numbers, and the least time of some runs in seconds.
-fn patch(family: &dyn Family, bounds: Bounds, size: usize, epsilon: f64) -> ([usize; 5], f64) {
+pub fn patch(family: &dyn Family, bounds: Bounds, size: usize, epsilon: f64) -> ([usize; 5], f64) {
     let grid = LocusGrid::new(bounds, size, size).expect("a small grid");
     let mut scratch = Scratch::default();
     let mut states = [0; 5];
