@@ -41,6 +41,8 @@ test("each copy is seen with its arc, by keys and by pointer, and the curve grow
   const tool = new FitTool(page);
   await tool.open();
   await tool.fitted();
+  // Rows of the chart come one by one, and each moves what lies below.
+  await expect(page.getByTestId("chart")).toContainText("As in the paper");
   const panel = page.getByRole("region", { name: "Its copies" });
   await panel.getByRole("switch", { name: "Show which edge copies which arc" }).check({ force: true });
   const number = panel.getByRole("spinbutton", { name: /^Copy, of/ });
