@@ -2,11 +2,14 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import { thumbnails } from "#compute/results";
 import { thumbnailsOf } from "#compute/thumbnails";
 import { DirectedThumb } from "#directed/Thumb";
+import { reasonOf } from "#document/kept/database";
+import { LONGEST_NAME } from "#document/kept/rows";
 import { announce } from "#document/notice";
 import { exportOpen } from "#film/open";
+import { whenWords } from "#format/when";
 import { Button, IconButton } from "#ui/controls/Button";
+import { KeptRow, KeptRows } from "#ui/kept/KeptRow";
 import { Dialog } from "#ui/overlay/Dialog";
-import { NameInput } from "#ui/shapes/NameInput";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Scene } from "#wasm/api";
 import { frond } from "#wasm/core";
@@ -14,11 +17,11 @@ import { TOOLS } from "../tools";
 import { trouble } from "./keeping";
 import css from "./recent.module.css";
 import { goOn, keeping, store } from "./start";
-import { LONGEST_NAME, MOST, type Row, reasonOf } from "./store";
+import { MOST, type Row } from "./store";
 
 const ABOUT =
   `The last ${MOST} documents that you changed, and those that you pin. They stay in this browser and go nowhere. ` +
-  "Photographs and outlines that you opened are not kept; the curve that was fitted to them is.";
+  "Photographs and outlines that you opened are not kept here; Fit keeps those of the fits that you ask it to keep.";
 
 /** What is kept in this browser. */
 export function Recent() {
@@ -67,7 +70,7 @@ export function Recent() {
       {rows?.length === 0 && !told && (
         <p class="hint">Nothing yet. What you change is kept by itself, a second after.</p>
       )}
-      <ul class={css["recent-list"]}>
+      <KeptRows>
         {rows?.map((row) => (
           <Entry
             key={row.id}
@@ -82,7 +85,7 @@ export function Recent() {
             onRemove={() => after(store.remove(row.id), `${row.name} was removed.`)}
           />
         ))}
-      </ul>
+      </KeptRows>
       {rows && rows.length > 0 && (
         <div class={css["recent-foot"]}>
           {sure ? (
@@ -125,15 +128,10 @@ function Entry({ row, scene, onOpen, onRename, onPin, onRemove }: EntryProps) {
   const name = row.name || "Without a name";
   const tool = TOOLS.find(({ id }) => id === (scene?.tool ?? "morph"))?.label;
   return (
-    <li class={css["recent-row"]}>
-      <button
-        type="button"
-        class={css["recent-open"]}
-        disabled={scene === null}
-        aria-label={`Open ${name}`}
-        onClick={onOpen}
-      >
-        {scene?.directed && inPlane(scene) ? (
+    <KeptRow
+      name={row.name}
+      picture={
+        scene?.directed && inPlane(scene) ? (
           <>
             <DirectedThumb states={scene.directed.a.states} />
             <DirectedThumb states={scene.directed.b.states} />
@@ -145,35 +143,27 @@ function Entry({ row, scene, onOpen, onRename, onPin, onRemove }: EntryProps) {
           </>
         ) : (
           <span class={css["recent-plain"]}>{scene === null ? "?" : tool}</span>
-        )}
-      </button>
-      <div class={css["recent-words"]}>
-        {naming ? (
-          <NameInput
-            label={`Name of ${name}`}
-            name={row.name}
-            longest={LONGEST_NAME}
-            focused
-            onName={onRename}
-            onEnd={() => setNaming(false)}
-          />
-        ) : (
-          <b>{name}</b>
-        )}
-        <span class="hint">
+        )
+      }
+      about={
+        <>
           {scene === null ? "It cannot be read by this Frond" : tool} · {whenWords(row.time)}
           {row.pinned && " · pinned"}
-        </span>
-      </div>
-      <div class={css["recent-tools"]}>
-        <IconButton icon="edit" kind="quiet" label={`Rename ${name}`} onClick={() => setNaming(true)} />
-        <Button kind="quiet" pressed={row.pinned} onClick={onPin} description={`Keep ${name} for good`}>
-          {row.pinned ? "Unpin" : "Pin"}
-          <span class="unseen"> {name}</span>
-        </Button>
-        <IconButton icon="bin" kind="quiet" label={`Remove ${name}`} onClick={onRemove} />
-      </div>
-    </li>
+        </>
+      }
+      onOpen={scene === null ? undefined : onOpen}
+      naming={naming}
+      longest={LONGEST_NAME}
+      onName={onRename}
+      onNamed={() => setNaming(false)}
+    >
+      <IconButton icon="edit" kind="quiet" label={`Rename ${name}`} onClick={() => setNaming(true)} />
+      <Button kind="quiet" pressed={row.pinned} onClick={onPin} description={`Keep ${name} for good`}>
+        {row.pinned ? "Unpin" : "Pin"}
+        <span class="unseen"> {name}</span>
+      </Button>
+      <IconButton icon="bin" kind="quiet" label={`Remove ${name}`} onClick={onRemove} />
+    </KeptRow>
   );
 }
 
@@ -192,14 +182,3 @@ const inPlane = ({ tool }: Scene): boolean => tool !== "space" && tool !== "fit"
 
 /** Whether these are systems. */
 const pictured = (scene: Scene): boolean => inPlane(scene) && !scene.curves && !scene.directed;
-
-const DAY = new Intl.DateTimeFormat("en", { dateStyle: "medium", timeStyle: "short" });
-
-/** Dates of other programs may be none. */
-function whenWords(time: number): string {
-  try {
-    return DAY.format(time);
-  } catch {
-    return "some time ago";
-  }
-}

@@ -1,10 +1,11 @@
 /** Keeps what a person makes, a moment after each change: never what was only looked at, nor over another document. */
 import { effect, signal, untracked } from "@preact/signals";
+import { reasonOf } from "#document/kept/database";
 import { openings } from "#document/link";
 import { inGesture, lastStep, scene } from "#document/scene";
 import { endsOf } from "#document/stand-in";
 import type { Scene } from "#wasm/api";
-import { type Row, reasonOf, type Store } from "./store";
+import type { Row, Store } from "./store";
 
 /** What is needed of the page around it; tests have their own. */
 export interface Around {

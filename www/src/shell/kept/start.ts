@@ -1,5 +1,6 @@
 /** Keeping, in this browser: begun after the first picture. */
 import { effect } from "@preact/signals";
+import { database, newId } from "#document/kept/database";
 import { addressBar } from "#document/link";
 import { dismiss, notify } from "#document/notice";
 import { lastStep, scene } from "#document/scene";
@@ -7,7 +8,7 @@ import { frond } from "#wasm/core";
 import { Keeping } from "./keeping";
 import { type Row, Store } from "./store";
 
-export const store = new Store();
+export const store = new Store(database);
 
 /** Of this tab alone, and there after a reload. */
 const TAB = "frond.kept";
@@ -33,8 +34,7 @@ export const keeping = new Keeping(store, {
       }
     },
   },
-  // `randomUUID` is for secure pages only.
-  newId: () => Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join("-"),
+  newId,
   now: Date.now,
   tell: (text) => notify({ kind: "info", text: `Your work is not kept. ${text}` }),
 });

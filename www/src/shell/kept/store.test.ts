@@ -2,7 +2,8 @@ import "fake-indexeddb/auto";
 import { IDBFactory, IDBObjectStore } from "fake-indexeddb";
 import { openDB } from "idb";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { MOST, reasonOf, Store, VERSION } from "./store";
+import { reasonOf, VERSION } from "#document/kept/database";
+import { MOST, Store } from "./store";
 
 let store: Store;
 

@@ -5,6 +5,7 @@ import { narrow } from "#ui/media";
 import { PanelFoot } from "#ui/panel/PanelFoot";
 import { fitTask } from "#workers/fit/client";
 import { CopiesPanel } from "./copies/CopiesPanel";
+import { KeptPanel } from "./kept/KeptPanel";
 import { GraphPanel, GraphStage, GraphStrip, graphOpen, ModeChoice } from "./mode";
 import { CutPanel } from "./panel/CutPanel";
 import { FiguresPanel } from "./panel/FiguresPanel";
@@ -64,6 +65,7 @@ function Outline() {
       <FiguresPanel />
       <CopiesPanel />
       <UsePanel />
+      <KeptPanel />
       {narrow.value && <Layers />}
       <PanelFoot />
     </>

@@ -2,7 +2,7 @@
 import { effect, signal, untracked } from "@preact/signals";
 import { useCurve as takeCurve, type Use } from "#document/fit";
 import { notify, wordsOf } from "#document/notice";
-import type { Curve } from "#wasm/api";
+import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { problem, running, shapeOf, shownFigures, shownFit } from "./work/fitting";
 import { prepared } from "./work/outline";
@@ -49,14 +49,17 @@ export function watchUse(): () => void {
 
 function take(to: Use): void {
   const best = shownFit.peek();
-  if (!best) return;
+  const now = source.peek();
+  if (best) takeShape(shapeOf(best.curve), to, now.kind === "grown" ? now.grown : undefined);
+}
+
+/** Takes a curve into another tool; `grown` says what kind of outline it was made for. */
+export function takeShape(shape: CurveShape, to: Use, grown: string | undefined = shape.preset): void {
   try {
-    const shape = shapeOf(best.curve);
-    const taken = shape.preset ? shape : { ...shape, curve: rough.quantised(centred(best.curve)) };
-    const now = source.peek();
+    const taken = shape.preset ? shape : { ...shape, curve: rough.quantised(centred(shape.curve)) };
     const presets = rough.curvePresets();
     // A maple-like leaf goes to the oak-like one, whatever else to the maple.
-    const wanted = now.kind === "grown" && now.grown !== "oak" ? "oak" : "maple";
+    const wanted = grown !== undefined && grown !== "oak" ? "oak" : "maple";
     const partner = presets.find((preset) => preset.id === wanted) ?? presets[0];
     if (!partner) throw new Error("there is no other shape");
     takeCurve(taken, partner, to);

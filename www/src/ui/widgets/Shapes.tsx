@@ -3,6 +3,7 @@ import { GREY } from "#style/colours";
 import { palette } from "#style/palette";
 import type { MapRow3 } from "#wasm/api";
 import { IconButton } from "../controls/Button";
+import { KeptRow, KeptRows } from "../kept/KeptRow";
 import { EndCard } from "../shapes/EndCard";
 import { FlattenedMaps } from "../shapes/FlattenedMaps";
 import { Graph } from "../shapes/Graph";
@@ -26,6 +27,13 @@ export function Shapes() {
   const [chosen, choose] = useState("dragon");
   const [open, setOpen] = useState<number | null>(0);
   const card = { end: "a", note: "2 maps", count: "2 maps", picture: <Thumbnail bitmap={null} /> } as const;
+  const kept = {
+    picture: card.picture,
+    about: "Some time ago",
+    longest: 80,
+    onName: nothing,
+    onNamed: nothing,
+  } as const;
   return (
     <>
       <Widget name="VerdictSign">
@@ -41,6 +49,28 @@ export function Shapes() {
         </State>
         <State name="to press, long words" wide>
           <SubjectCard picture={card.picture} name={LONG} about={LONG} label="Long" onChoose={nothing} />
+        </State>
+      </Widget>
+      <Widget name="KeptRow">
+        <State name="shown, being named, not to be opened" wide>
+          <KeptRows>
+            <KeptRow {...kept} name="Dragon" onOpen={nothing} naming={false}>
+              <IconButton icon="bin" label="Remove Dragon" kind="quiet" />
+            </KeptRow>
+            <KeptRow {...kept} name="Fern" onOpen={nothing} naming>
+              <IconButton icon="bin" label="Remove Fern" kind="quiet" />
+            </KeptRow>
+            <KeptRow {...kept} name={LONG} naming={false}>
+              <IconButton icon="bin" label={`Remove ${LONG}`} kind="quiet" />
+            </KeptRow>
+          </KeptRows>
+        </State>
+        <State name="in a panel, long words" wide>
+          <KeptRows>
+            <KeptRow {...kept} small name={LONG} onOpen={nothing} naming={false}>
+              <IconButton icon="more" label={`More for ${LONG}`} kind="quiet" />
+            </KeptRow>
+          </KeptRows>
         </State>
       </Widget>
       <Widget name="EndCard">

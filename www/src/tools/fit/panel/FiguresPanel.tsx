@@ -79,7 +79,7 @@ function Closed() {
       ) : current ? (
         <p class="hint">
           {source.value.kind === "kept"
-            ? "This fit came with the link, without the outline that it was made from. Choose the photograph again to see how near it is, or ask for another number: then the curve itself is fitted anew."
+            ? "This fit came without the outline that it was made from. Choose the photograph again to see how near it is, or ask for another number: then the curve itself is fitted anew."
             : "It is being measured."}
         </p>
       ) : null}

@@ -2,6 +2,7 @@ import { Button } from "#ui/controls/Button";
 import { FileButton } from "#ui/files/FileButton";
 import type { Grown } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
+import { ToShelf } from "../kept/KeptPanel";
 import { takeSeries } from "../series";
 import { prepared, SEEDS } from "../work/outline";
 import { former, type Source, source, takeFile, takeFormer, takeSource } from "../work/source";
@@ -25,6 +26,7 @@ export function SourcePanel() {
         <FileButton kind="primary" label="Photograph or outline file" accept={ACCEPT} onFile={take}>
           Choose a photograph or outline
         </FileButton>
+        <ToShelf />
         {back && back.kind !== "grown" && (
           <Button kind="quiet" icon="back" onClick={takeFormer}>
             Back to {back.name.length > 24 ? `${back.name.slice(0, 22)}…` : back.name}
@@ -86,7 +88,9 @@ function aboutOf(now: Source, numbers: number | null): string {
       return points ? `${size}, outline of ${points}` : size;
     }
     case "kept":
-      return "A fit from a link, without what it was made from";
+      return now.origin
+        ? `One of your fits, with its outline of ${points}`
+        : "A fit without what it was made from";
     case "outlines":
       return now.outlines.length > 1 ? `${now.outlines.length} outlines, this one of ${points}` : points;
     case "grown":

@@ -1,16 +1,16 @@
 /**
  * The fit of the outline: the latest that was asked for, the best so far, its figures, and what it is compared with.
  */
-import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { fitDocument, replaceFit } from "#document/fit";
+import { batch, computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { changeFit, fitDocument, replaceFit } from "#document/fit";
 import { announce, notify, wordsOf } from "#document/notice";
-import type { Curve, CurveShape } from "#wasm/api";
+import type { Curve, CurveShape, Fit } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
 import type { Collage, CollageOptions, Figures, FitStage, Method, Prepared, Rival } from "#workers/fit/curve";
 import { isStopped, Latest } from "#workers/lanes/latest";
 import { polylineOf, prepared, ready, SEEDS, upToDate } from "./outline";
-import { source, takeSource } from "./source";
+import { former, type Origin, type Source, source, takeFormer, takeSource } from "./source";
 
 export const LEAST_NUMBERS = 12;
 export const MOST_NUMBERS = 2000;
@@ -66,7 +66,9 @@ const latest = new Latest();
 const cache = new WeakMap<Prepared, Map<number, Fitted>>();
 const comparisons = new WeakMap<Prepared, Map<number, readonly Rival[]>>();
 /** Curves that were fitted here: a document that holds another was opened from a link. */
-const own = new WeakSet<Curve>();
+const own = new WeakMap<Curve, { of: Source; fitted: Fitted | null }>();
+/** What curves were fitted to that the shelf brings back. */
+const origins = new WeakMap<Curve, Origin>();
 
 /** What is fitted, and into what. */
 const wanted = computed(() => {
@@ -92,15 +94,24 @@ export function watchFit(): () => void {
     timer = setTimeout(() => begin(outline), seen === outline ? REST_MS : 0);
     seen = outline;
   });
+  let shown: Curve | null = null;
   const stopLink = effect(() => {
     const shape = fitDocument.value.curve;
-    if (!shape || own.has(shape.curve)) return;
+    if (!shape || shape.curve === shown) return;
     const { preset, name, curve } = shape;
-    own.add(curve);
+    shown = curve;
+    if (own.has(curve)) {
+      untracked(() => backTo(own.get(curve)?.of));
+      return;
+    }
     // Those of the gallery have outlines.
     if (preset === "maple" || preset === "oak" || preset === "island") {
       takeSource({ kind: "grown", name, grown: preset, seed: SEEDS[preset] });
-    } else takeSource({ kind: "kept", name, curve, numbers: fitDocument.peek().numbers });
+    } else {
+      const { numbers } = fitDocument.peek();
+      takeSource({ kind: "kept", name, curve, numbers, origin: origins.get(curve) ?? null });
+    }
+    own.set(curve, { of: source.peek(), fitted: null });
   });
   return () => {
     watched = false;
@@ -109,6 +120,26 @@ export function watchFit(): () => void {
     if (timer) clearTimeout(timer);
     // What is under way goes on: whoever comes back finds it done.
   };
+}
+
+/** A fit of the shelf was opened, and that is undone or done again: what it was made from goes with it. */
+function backTo(of: Source | undefined): void {
+  const now = source.peek();
+  if (!of || of === now || of !== former.peek()) return;
+  if (of.kind === "kept" || now.kind === "kept") takeFormer();
+}
+
+/** Takes a fit that was kept into the document: one undo step, and nothing is fitted anew. */
+export function openFit({ numbers, smoothing, curve }: Fit, outline: Float64Array | null): void {
+  if (curve && outline) origins.set(curve.curve, { outline, smoothing });
+  changeFit((now) => ({
+    ...now,
+    mode: "outline",
+    model: "closed",
+    numbers,
+    smoothing,
+    ...(curve && { curve }),
+  }));
 }
 
 /** Begins anew, whatever was done before. */
@@ -138,7 +169,10 @@ function begin(outline: Prepared, again = false): void {
     void fitCollage(outline, { ...collageOptions.peek() }, signal);
     return;
   }
-  const known = cache.get(outline)?.get(numbers) ?? keptFit(outline, numbers);
+  const known =
+    cache.get(outline)?.get(numbers) ??
+    keptFit(outline, numbers) ??
+    (again ? null : sameFit(outline, numbers));
   if (known) {
     batch(() => {
       best.value = known;
@@ -149,7 +183,7 @@ function begin(outline: Prepared, again = false): void {
     if (known.figures) void compare(outline, numbers, signal);
     return;
   }
-  const curve = ready.peek();
+  const curve = ready.peek() ?? keptCurve(numbers);
   if (curve && !again)
     void measure({ of: outline, numbers, curve, points: polylineOf(curve) ?? new Float64Array() }, signal);
   else void fitCurve(outline, numbers, signal);
@@ -174,12 +208,28 @@ async function measure(done: Best, signal: AbortSignal): Promise<void> {
 /** The curve of a link, as long as nothing else is asked for. */
 function keptFit(outline: Prepared, numbers: number): Fitted | null {
   const now = source.peek();
-  if (now.kind !== "kept" || now.numbers !== numbers) return null;
+  if (now.kind !== "kept" || now.numbers !== numbers || now.origin) return null;
   const { curve } = now;
   const points = polylineOf(curve);
   if (!points) return null;
   const { bytes } = rough.curveFacts(curve);
   return { of: outline, numbers, curve, points, figures: null, bytes };
+}
+
+/** The curve that was kept with its outline, as long as nothing else is asked for. */
+function keptCurve(numbers: number): Curve | null {
+  const now = source.peek();
+  const asked =
+    now.kind === "kept" && now.numbers === numbers && now.origin?.smoothing === fitDocument.peek().smoothing;
+  return asked ? now.curve : null;
+}
+
+/** The fit of the document, where it was made here of the very same outline. */
+function sameFit(outline: Prepared, numbers: number): Fitted | null {
+  const curve = fitDocument.peek().curve?.curve;
+  const made = curve && own.get(curve)?.fitted;
+  if (!made || made.numbers !== numbers || made.of.points.length !== outline.points.length) return null;
+  return made.of.points.every((x, i) => x === outline.points[i]) ? { ...made, of: outline } : null;
 }
 
 async function fitCurve(outline: Prepared, numbers: number, signal: AbortSignal): Promise<void> {
@@ -230,13 +280,14 @@ function put<T>(into: WeakMap<Prepared, Map<number, T>>, of: Prepared, numbers: 
 }
 
 /** The last fit is part of the document: a link opens it again. */
-function keep({ curve }: Fitted): void {
+function keep(done: Fitted): void {
+  const { curve } = done;
   if (!watched) return;
   const now = fitDocument.peek();
   // A link to a graph may have been followed meanwhile: it is not to be given a curve.
   if (now.mode !== "outline" || now.curve?.curve === curve) return;
   const shape = shapeOf(curve);
-  own.add(shape.curve);
+  own.set(shape.curve, { of: source.peek(), fitted: done });
   replaceFit((now) => ({ ...now, curve: shape }));
 }
 

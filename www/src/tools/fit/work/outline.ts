@@ -31,7 +31,7 @@ export const raw: ReadonlySignal<Float64Array | null> = computed(() => {
       return points && first ? framed(points, frameOfPoints(first)) : null;
     }
     case "kept":
-      return keptPoints.value;
+      return now.origin?.outline ?? keptPoints.value;
   }
 });
 

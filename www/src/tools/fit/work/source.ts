@@ -17,8 +17,16 @@ export type Source =
   | { kind: "grown"; name: string; grown: Grown; seed: number }
   | { kind: "picture"; name: string; picture: OpenedPicture }
   | { kind: "outlines"; name: string; outlines: ReadOutline[]; chosen: number }
-  /** Only the curve of the document is there, with the numbers that were asked for. */
-  | { kind: "kept"; name: string; curve: Curve; numbers: number };
+  /** The curve of the document is there, with the numbers that were asked for; of a link no more. */
+  | { kind: "kept"; name: string; curve: Curve; numbers: number; origin: Origin | null };
+
+/** What a fit was made from, where it was kept with it. */
+export interface Origin {
+  /** x0, y0, x1, y1, .. before it is smoothed. */
+  outline: Float64Array;
+  /** How much it was smoothed. */
+  smoothing: number;
+}
 
 export const FIRST: Source = { kind: "grown", name: "Maple-like leaf", grown: "maple", seed: 1 };
 

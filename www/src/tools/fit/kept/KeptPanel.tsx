@@ -1,0 +1,159 @@
+import { useEffect, useMemo, useState } from "preact/hooks";
+import { curveBoxAt } from "#document/curve/curve";
+import { type KeptFit, MOST_FITS } from "#document/kept/fits";
+import { LONGEST_NAME } from "#document/kept/rows";
+import { whenWords } from "#format/when";
+import { curveThumb } from "#stage/curve/thumb";
+import { stageStyle } from "#stage/picture-style";
+import { Button } from "#ui/controls/Button";
+import { KeptRow, KeptRows } from "#ui/kept/KeptRow";
+import { Menu } from "#ui/overlay/Menu";
+import { Thumbnail } from "#ui/shapes/Thumbnail";
+import type { Curve } from "#wasm/api";
+import { rough } from "#wasm/curve";
+import fitCss from "../fit.module.css";
+import { cutting } from "../stage/layers";
+import { takeShape } from "../use";
+import {
+  canKeep,
+  fitOf,
+  isKept,
+  keepFit,
+  openKept,
+  pinKept,
+  readShelf,
+  removeKept,
+  renameKept,
+  rows,
+  trouble,
+} from "./shelf";
+import { aboutWords } from "./words";
+
+/** As many as are seen at once. */
+const FEW = 5;
+
+/** The fits that a person keeps. */
+export function KeptPanel() {
+  const [all, setAll] = useState(false);
+  useEffect(() => void readShelf(), []);
+  if (cutting.value) return null;
+  const there = rows.value ?? [];
+  const shown = all ? there : there.slice(0, FEW);
+  return (
+    <section class="stack" aria-label="Your fits" id={SHELF_ID} tabIndex={-1}>
+      <div class="section-head">
+        <h2>Your fits</h2>
+        <Button
+          icon={isKept.value ? "check" : "save"}
+          disabled={!canKeep.value || isKept.value}
+          onClick={() => void keepFit()}
+        >
+          {isKept.value ? "It is kept" : "Keep this fit"}
+        </Button>
+      </div>
+      {trouble.value !== null && (
+        <p class={fitCss["fit-problem"]} role="status">
+          {trouble.value}
+        </p>
+      )}
+      {there.length > 0 && (
+        <KeptRows>
+          {shown.map((row) => (
+            <Entry key={row.id} row={row} />
+          ))}
+        </KeptRows>
+      )}
+      {there.length > FEW && (
+        <Button kind="quiet" onClick={() => setAll(!all)}>
+          {all ? "Show fewer" : `Show all ${there.length}`}
+        </Button>
+      )}
+      <p class="hint">
+        {there.length === 0 && "A fit that is kept can be opened again, and used, without fitting anew. "}
+        The last {MOST_FITS}, and those that you pin, with their outlines. They stay in this browser and go
+        nowhere.
+      </p>
+    </section>
+  );
+}
+
+const SHELF_ID = "your-fits";
+
+/** The way to the shelf from where one chooses what to fit. */
+export function ToShelf() {
+  const count = rows.value?.length ?? 0;
+  if (count === 0) return null;
+  const go = () => {
+    const shelf = document.getElementById(SHELF_ID);
+    shelf?.scrollIntoView({ block: "start" });
+    shelf?.focus({ preventScroll: true });
+  };
+  return (
+    <Button kind="quiet" icon="down" onClick={go}>
+      Your fits ({count})
+    </Button>
+  );
+}
+
+function Entry({ row }: { row: KeptFit }) {
+  const [naming, setNaming] = useState(false);
+  const { fragment } = row;
+  const fit = useMemo(() => fitOf(fragment), [fragment]);
+  const shape = fit && { ...fit.curve, name: row.name || fit.curve.name };
+  return (
+    <KeptRow
+      small
+      name={row.name}
+      picture={<Thumbnail bitmap={useThumb(fit?.curve.curve ?? null)} />}
+      about={
+        <>
+          {fit ? aboutWords(row, fit.curve.curve) : "It cannot be read by this Frond"}
+          <br />
+          {whenWords(row.time)}
+          {row.pinned && " · pinned"}
+        </>
+      }
+      onOpen={fit ? () => openKept(row, fit) : undefined}
+      naming={naming}
+      longest={LONGEST_NAME}
+      onName={(name) => void renameKept(row, name)}
+      onNamed={() => setNaming(false)}
+    >
+      <Menu
+        label={`More for ${row.name}`}
+        items={[
+          ...(shape
+            ? [
+                { label: "Use as A", onSelect: () => takeShape(shape, "a") },
+                { label: "Use as B", onSelect: () => takeShape(shape, "b") },
+                { label: "Bend it", onSelect: () => takeShape(shape, "bent") },
+              ]
+            : []),
+          { label: "Rename", onSelect: () => setNaming(true) },
+          { label: row.pinned ? "Unpin" : "Pin", onSelect: () => void pinKept(row) },
+          { label: "Remove", onSelect: () => void removeKept(row) },
+        ]}
+      />
+    </KeptRow>
+  );
+}
+
+const SIZE = { width: 76, height: 56 };
+
+function useThumb(curve: Curve | null): ImageBitmap | null {
+  const { palette } = stageStyle.value;
+  return useMemo(() => {
+    if (!curve) return null;
+    try {
+      const morph = new rough.CurveMorph(curve, null);
+      try {
+        return curveThumb(morph, 0, curveBoxAt(morph, 0), SIZE, palette);
+      } finally {
+        morph.free();
+      }
+    } catch {
+      // Without a picture it can still be opened.
+      return null;
+    }
+  }, [curve, palette]);
+}
