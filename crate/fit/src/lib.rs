@@ -97,4 +97,6 @@ pub use segment::{
     Channel, Component, MAX_PIXELS, Mask, MaskOptions, Notice, Stroke, TraceError, Traced, Tracer,
 };
 pub use series::Series;
-pub use spline::{LEAST_BYTES, MAX_NODES, MOST_BYTES, Node, Spline, SplineError, SplineFit, fit_within};
+pub use spline::{
+    LEAST_BYTES, MAX_NODES, MOST_BYTES, Node, Spline, SplineError, SplineFit, SplineFitter, fit_within,
+};

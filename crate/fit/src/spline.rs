@@ -1,13 +1,16 @@
 //! Closed curves of corners and parabolas on a grid, and how they are fitted within so many bytes.
 
 mod coder;
+mod contest;
 mod descent;
-mod fit;
+mod fitter;
+mod grids;
 mod law;
 mod pack;
 mod room;
+mod window;
 
-pub use fit::{LEAST_BYTES, MOST_BYTES, SplineFit, fit_within};
+pub use fitter::{LEAST_BYTES, MOST_BYTES, SplineFit, SplineFitter, fit_within};
 pub use pack::SplineError;
 
 use glam::DVec2;
@@ -61,16 +64,6 @@ fn piece([before, node, after]: [&Node; 3], sides: usize, line: &mut Vec<DVec2>)
         let t = i as f64 / sides as f64;
         line.push(from.lerp(node.at, t).lerp(node.at.lerp(to, t), t));
     }
-}
-
-/// The pieces of nodes `from` to `to`, which may pass the end, as an open polyline.
-fn pieces(nodes: &[Node], from: usize, to: usize, sides: usize, line: &mut Vec<DVec2>) {
-    let count = nodes.len();
-    line.clear();
-    for i in from..=to {
-        piece([&nodes[(i + count - 1) % count], &nodes[i % count], &nodes[(i + 1) % count]], sides, line);
-    }
-    line.push(joint(&nodes[to % count], &nodes[(to + 1) % count]));
 }
 
 impl Spline {

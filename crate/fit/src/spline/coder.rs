@@ -39,6 +39,14 @@ impl Encoder {
         self.put(number, 1, all);
     }
 
+    /// Writes a number of so many bits.
+    pub fn bits(&mut self, number: u64, many: u32) {
+        for i in (0..many).step_by(16) {
+            let part = (many - i).min(16);
+            self.even(number >> i & ((1 << part) - 1), 1 << part);
+        }
+    }
+
     /// Writes a number below 2^60, in twice as many bits as it has.
     pub fn gamma(&mut self, number: u64) {
         let number = number + 1;
@@ -47,9 +55,7 @@ impl Encoder {
             self.even(1, 2);
         }
         self.even(0, 2);
-        for i in 0..bits {
-            self.even(number >> i & 1, 2);
-        }
+        self.bits(number & ((1 << bits) - 1), bits);
     }
 
     fn carry(&mut self) {
@@ -127,6 +133,11 @@ impl<'a> Decoder<'a> {
         number
     }
 
+    /// See [`Encoder::bits`].
+    pub fn bits(&mut self, many: u32) -> u64 {
+        (0..many).step_by(16).fold(0, |number, i| number | self.even(1 << (many - i).min(16)) << i)
+    }
+
     /// See [`Encoder::gamma`]; none where it is of more than 60 bits.
     pub fn gamma(&mut self) -> Option<u64> {
         let mut bits = 0;
@@ -136,11 +147,7 @@ impl<'a> Decoder<'a> {
                 return None;
             }
         }
-        let mut number = 1_u64 << bits;
-        for i in 0..bits {
-            number |= self.even(2) << i;
-        }
-        Some(number - 1)
+        Some((1_u64 << bits | self.bits(bits)) - 1)
     }
 
     /// Whether it reads far behind the end.

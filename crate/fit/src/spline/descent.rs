@@ -4,10 +4,8 @@ use glam::DVec2;
 
 use super::law::Steps;
 use super::room::meetings;
-use super::{Node, joint, pieces};
-
-/// Sides of a parabola while it is fitted.
-const SIDES: usize = 6;
+use super::window::Window;
+use super::{Node, joint};
 
 /// Nodes on each side of a change that are looked at.
 const REACH: usize = 3;
@@ -19,29 +17,42 @@ pub const FEWEST: usize = 2 * REACH + 4;
 /// place is off by 1/12 of a step squared each way, a point between two of them by two thirds of that.
 const QUANTISATION_PRICE: f64 = 0.04;
 
-/// The most sweeps.
+/// The most sweeps, and how many are the last in which nodes are not added.
 const SWEEPS: usize = 16;
+const LAST_SWEEPS: usize = 4;
+
+/// How many nodes one step of the work is about.
+const NODES_A_STEP: usize = 16;
+
+/// The most moves of a node in a row.
+const MOVES: usize = 6;
+
+/// A price that changes by so much has all nodes looked at again.
+const OTHER_PRICE: f64 = 1.02;
 
 /// A curve on a grid of width 1 that is fitted to points.
 ///
 /// Where it is guarded, no change makes it meet itself more often than before.
-pub struct Descent<'a> {
-    points: &'a [DVec2],
+#[derive(Clone, Debug)]
+pub struct Descent {
+    points: Vec<DVec2>,
     nodes: Vec<Node>,
     /// The index of the point beside each node.
     marks: Vec<usize>,
+    /// Where nothing helped, and nothing near has changed since.
+    settled: Vec<bool>,
     steps: Steps,
     kinds: [f64; 2],
     price: f64,
     /// Whether nodes may leave the curve.
     bends: bool,
     guarded: bool,
-    line: Vec<DVec2>,
-    rest: Vec<DVec2>,
+    window: Window,
+    /// Which sweep it is, which node comes next, and how much has changed in it.
+    sweep: usize,
+    next: usize,
+    changes: usize,
 }
-
-/// Nodes and marks before a change.
-type Kept = (Vec<Node>, Vec<usize>);
 
 /// Bits for each of two kinds, where some of all are of the first.
 fn kinds(first: usize, all: usize) -> [f64; 2] {
@@ -49,17 +60,43 @@ fn kinds(first: usize, all: usize) -> [f64; 2] {
     [share(first), share(all - first)]
 }
 
-impl<'a> Descent<'a> {
+impl Descent {
     /// Begins with nodes, ten or more, and for each the index of the point beside it, in order.
-    pub fn new(points: &'a [DVec2], (nodes, marks): Kept, bends: bool, guarded: bool) -> Self {
-        let steps = Steps::of(std::iter::empty());
-        let (line, rest) = (Vec::new(), Vec::new());
-        Self { points, nodes, marks, steps, kinds: [0.0; 2], price: 0.0, bends, guarded, line, rest }
+    pub fn new(
+        points: Vec<DVec2>,
+        (nodes, marks): (Vec<Node>, Vec<usize>),
+        bends: bool,
+        guarded: bool,
+    ) -> Self {
+        let mut descent = Self {
+            points,
+            settled: vec![false; nodes.len()],
+            nodes,
+            marks,
+            steps: Steps::of(std::iter::empty()),
+            kinds: [0.0; 2],
+            price: 0.0,
+            bends,
+            guarded,
+            window: Window::default(),
+            sweep: 0,
+            next: 0,
+            changes: 0,
+        };
+        descent.learn();
+        descent
     }
 
     /// What was found, and the points beside it.
-    pub fn finish(self) -> Kept {
+    pub fn finish(self) -> (Vec<Node>, Vec<usize>) {
         (self.nodes, self.marks)
+    }
+
+    /// About how far it is, from 0 to 1.
+    pub fn share(&self) -> f64 {
+        let swept = self.sweep as f64 + self.next as f64 / self.nodes.len() as f64;
+        // Most is done in the first few sweeps.
+        1.0 - (-swept / 3.0).exp()
     }
 
     fn node(&self, i: usize) -> &Node {
@@ -80,76 +117,83 @@ impl<'a> Descent<'a> {
         from.midpoint(node.at).midpoint(node.at.midpoint(to))
     }
 
-    /// How often what lies between two nodes meets itself and the rest.
-    fn meetings(&mut self, from: usize, to: usize) -> usize {
-        if !self.guarded {
-            return 0;
-        }
-        let count = self.nodes.len();
-        pieces(&self.nodes, from, to, SIDES, &mut self.line);
-        pieces(&self.nodes, to + 1, from + count - 1, SIDES, &mut self.rest);
-        meetings(&self.line, &self.rest)
-    }
-
-    fn step(&self, i: usize) -> DVec2 {
-        self.node(i).at - self.node(i + self.nodes.len() - 1).at
-    }
-
     /// Fits the laws of the code to what is there, and the price of a bit.
     fn learn(&mut self) {
         let count = self.nodes.len();
-        self.steps = Steps::of((0..count).map(|i| (self.step(i), self.step(i + count - 1))));
+        let step = |i: usize| self.nodes[i % count].at - self.nodes[(i + count - 1) % count].at;
+        self.steps = Steps::of((0..count).map(|i| (step(i), step(i + count - 1))));
         self.kinds = kinds(self.nodes.iter().filter(|node| node.on).count(), count);
-        self.price = QUANTISATION_PRICE * self.points.len() as f64 / count as f64;
-    }
-
-    fn node_bits(&self, i: usize) -> f64 {
-        let kind = if self.bends { self.kinds[usize::from(!self.node(i).on)] } else { 0.0 };
-        self.steps.bits(self.step(i), self.step(i + self.nodes.len() - 1)) + kind
-    }
-
-    /// Squares and bits' price between two nodes that do not change.
-    fn cost(&mut self, from: usize, to: usize) -> f64 {
-        self.cost_below(from, to, f64::INFINITY)
-    }
-
-    /// The same where it is below `most`; else at least that.
-    fn cost_below(&mut self, from: usize, to: usize, most: f64) -> f64 {
-        let bits: f64 = (from + 1..=to + 1).map(|i| self.node_bits(i)).sum();
-        let mut sum = self.price * bits;
-        if sum >= most {
-            return sum;
+        let price = QUANTISATION_PRICE * self.points.len() as f64 / count as f64;
+        if self.price / price > OTHER_PRICE || price / self.price > OTHER_PRICE {
+            self.settled.fill(false);
         }
-        let mut line = std::mem::take(&mut self.line);
-        pieces(&self.nodes, from, to, SIDES, &mut line);
-        let count = self.points.len();
+        self.price = price;
+    }
+
+    /// Takes nodes `from` to `to` and one more at each end into the window, with the points beside them.
+    fn open(&mut self, from: usize, to: usize) {
+        let (nodes, count) = (self.nodes.len(), self.points.len());
+        self.window.nodes.clear();
+        self.window.nodes.extend((from + nodes - 1..=to + nodes + 1).map(|i| self.nodes[i % nodes]));
         let (first, last) = (self.mark_at(from), self.mark_at(to));
         let many = (last + count - first) % count;
-        let sides: Vec<(DVec2, DVec2, f64)> = line
-            .windows(2)
-            .map(|w| {
-                let chord = w[1] - w[0];
-                (w[0], chord, 1.0 / chord.length_squared().max(1e-12))
-            })
-            .collect();
-        for k in 0..=many {
-            let p = self.points[(first + k) % count];
-            let mut best = f64::INFINITY;
-            for &(a, chord, scale) in &sides {
-                let off = p - a;
-                let share = (off.dot(chord) * scale).clamp(0.0, 1.0);
-                let squared = (off - chord * share).length_squared();
-                if squared < best {
-                    best = squared;
+        let points = &self.points;
+        self.window.load((first..=first + many).map(|i| points[i % count]));
+    }
+
+    /// What the nodes of the window cost in bits' price, from the first to the last whose step is told.
+    fn bits(&self) -> f64 {
+        let nodes = &self.window.nodes;
+        let step = |i: usize| nodes[i].at - nodes[i - 1].at;
+        let kind = |node: &Node| if self.bends { self.kinds[usize::from(!node.on)] } else { 0.0 };
+        let all = (2..nodes.len()).map(|i| self.steps.bits(step(i), step(i - 1)) + kind(&nodes[i]));
+        self.price * all.sum::<f64>()
+    }
+
+    /// Squares and bits' price of the window, whose rest was prepared for node k, where they are below `most`.
+    fn cost(&mut self, k: usize, most: f64) -> f64 {
+        let bits = self.bits();
+        if bits >= most { bits } else { bits + self.window.squares(k, most - bits) }
+    }
+
+    /// Moves node k of the window from grid point to grid point as long as that helps.
+    fn shift(&mut self, k: usize, now: f64) -> f64 {
+        let mut now = now;
+        let mut before: Option<DVec2> = None;
+        for _ in 0..MOVES {
+            let at = self.window.nodes[k].at;
+            let mut best = (now, at);
+            for (x, y) in [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)] {
+                let place = at + DVec2::new(f64::from(x), f64::from(y));
+                // Seen around where it was before.
+                if before.is_some_and(|before| (place - before).abs().max_element() <= 1.0) {
+                    continue;
+                }
+                self.window.nodes[k].at = place;
+                let cost = self.cost(k, best.0);
+                if cost < best.0 {
+                    best = (cost, place);
                 }
             }
-            sum += best;
-            if sum >= most {
+            self.window.nodes[k].at = best.1;
+            if best.1 == at {
                 break;
             }
+            before = Some(at);
+            now = best.0;
         }
-        self.line = line;
-        sum
+        now
+    }
+
+    /// Whether these nodes, in the place of `many` nodes from `from` on, meet themselves and the rest no more often.
+    fn has_room(&self, (from, many): (usize, usize), nodes: &[Node], old: &[Node]) -> bool {
+        if !self.guarded {
+            return true;
+        }
+        let count = self.nodes.len();
+        let rest = || (from + many - 2..=from + count + 1).map(|i| &self.nodes[i % count]);
+        let met = meetings(nodes, rest());
+        met == 0 || met <= meetings(old, rest())
     }
 
     /// The mark of a node, between those of its neighbours.
@@ -166,167 +210,161 @@ impl<'a> Descent<'a> {
         self.marks[i] = (before + best.unwrap_or(0)) % count;
     }
 
-    /// Moves a node from grid point to grid point as long as that helps, between two that stay.
-    fn shift(&mut self, i: usize, from: usize, to: usize, now: f64) -> f64 {
-        let i = i % self.nodes.len();
-        let mut now = now;
-        for _ in 0..6 {
-            let at = self.nodes[i].at;
-            let mut best = (now, at);
-            for (x, y) in [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)] {
-                self.nodes[i].at = at + DVec2::new(f64::from(x), f64::from(y));
-                let cost = self.cost_below(from, to, best.0);
-                if cost < best.0 {
-                    best = (cost, self.nodes[i].at);
-                }
-            }
-            self.nodes[i].at = best.1;
-            if best.1 == at {
-                break;
-            }
-            now = best.0;
-        }
-        now
-    }
-
-    /// Where a change at node i is seen: between these two.
-    fn window(&self, i: usize) -> (usize, usize) {
+    /// Has all nodes looked at again from which a change at node i is seen.
+    fn unsettle(&mut self, i: usize) {
         let count = self.nodes.len();
-        let from = (i + count - REACH) % count;
-        (from, from + 2 * REACH)
+        for k in 0..=2 * REACH + 2 {
+            self.settled[(i + count + k - REACH - 1) % count] = false;
+        }
+        self.changes += 1;
     }
 
+    /// Tries other places of a node, and the other kind.
     fn try_place(&mut self, i: usize) -> bool {
-        let (from, to) = self.window(i);
-        let now = self.cost(from, to);
-        let (first, met) = (self.nodes[i], self.meetings(from, to));
-        let mut best = self.shift(i, from, to, now);
-        let mut moved = best < now;
-        if moved && self.meetings(from, to) > met {
-            self.nodes[i] = first;
-            (best, moved) = (now, false);
+        let count = self.nodes.len();
+        let from = i + count - REACH;
+        self.open(from, from + 2 * REACH);
+        let k = REACH + 1;
+        self.window.hold_rest(k);
+        let old = self.window.nodes.clone();
+        let span = (from - 1, old.len());
+        let now = self.cost(k, f64::INFINITY);
+        let mut best = (now, old[k]);
+        let cost = self.shift(k, now);
+        if cost < now && self.has_room(span, &self.window.nodes, &old) {
+            best = (cost, self.window.nodes[k]);
         }
         if self.bends {
-            let kept = self.nodes[i];
-            self.nodes[i].on = !kept.on;
+            let kept = best.1;
             // A control point lies beyond the curve, a corner on it.
-            let neighbours = self.node(i + self.nodes.len() - 1).at.midpoint(self.node(i + 1).at);
+            let neighbours = old[k - 1].at.midpoint(old[k + 1].at);
             let way = if kept.on { kept.at * 1.5 - neighbours * 0.5 } else { kept.at.midpoint(neighbours) };
-            let mut found = None;
             for at in [kept.at, way.round()] {
-                self.nodes[i].at = at;
-                let cost = self.cost(from, to);
-                let cost = self.shift(i, from, to, cost);
-                if cost < best && self.meetings(from, to) <= met {
-                    best = cost;
-                    found = Some(self.nodes[i]);
+                self.window.nodes[k] = Node { at, on: !kept.on };
+                let cost = self.cost(k, f64::INFINITY);
+                let cost = self.shift(k, cost);
+                if cost < best.0 && self.has_room(span, &self.window.nodes, &old) {
+                    best = (cost, self.window.nodes[k]);
                 }
             }
-            self.nodes[i] = found.unwrap_or(kept);
-            moved |= found.is_some();
         }
-        if moved {
-            self.mark(i);
-        }
-        moved
-    }
-
-    fn try_drop(&mut self, i: usize) -> bool {
-        if self.nodes.len() <= FEWEST {
+        if best.0 >= now {
             return false;
         }
-        let (from, to) = self.window(i);
-        let now = self.cost(from, to);
-        let met = self.meetings(from, to);
-        let kept = (self.nodes.clone(), self.marks.clone());
-        self.nodes.remove(i);
-        self.marks.remove(i);
-        let count = self.nodes.len();
-        let from = if from > i { from - 1 } else { from };
-        let to = from + 2 * REACH - 1;
-        let mut cost = self.cost(from, to);
-        for k in [i + count - 1, i] {
-            cost = self.shift(k, from, to, cost);
-        }
-        if cost < now && self.meetings(from, to) <= met {
-            self.mark(i + count - 1);
-            self.mark(i);
-            return true;
-        }
-        (self.nodes, self.marks) = kept;
-        false
+        self.nodes[i] = best.1;
+        self.mark(i);
+        self.unsettle(i);
+        true
     }
 
+    /// Tries to do without a node.
+    fn try_drop(&mut self, i: usize) -> bool {
+        let count = self.nodes.len();
+        if count <= FEWEST {
+            return false;
+        }
+        let from = i + count - REACH;
+        self.open(from, from + 2 * REACH);
+        let old = self.window.nodes.clone();
+        let k = REACH + 1;
+        self.window.hold_rest(k);
+        let now = self.cost(k, f64::INFINITY);
+        self.window.nodes.remove(k);
+        let mut cost = f64::INFINITY;
+        for k in [k - 1, k] {
+            self.window.hold_rest(k);
+            cost = self.cost(k, f64::INFINITY);
+            cost = self.shift(k, cost);
+        }
+        if cost >= now || !self.has_room((from - 1, old.len()), &self.window.nodes, &old) {
+            return false;
+        }
+        let near = [self.window.nodes[k - 1], self.window.nodes[k]];
+        self.nodes[(i + count - 1) % count] = near[0];
+        self.nodes[(i + 1) % count] = near[1];
+        self.nodes.remove(i);
+        self.marks.remove(i);
+        self.settled.remove(i);
+        self.mark(i + count - 2);
+        self.mark(i);
+        self.unsettle(i % (count - 1));
+        true
+    }
+
+    /// Tries one more node behind node i.
     fn try_add(&mut self, i: usize) -> bool {
-        let count = self.points.len();
+        let (nodes, count) = (self.nodes.len(), self.points.len());
         let (first, last) = (self.mark_at(i), self.mark_at(i + 1));
         let many = (last + count - first) % count;
         if many < 2 {
             return false;
         }
-        let nodes = self.nodes.len();
-        let from = (i + nodes - REACH + 1) % nodes;
-        let to = from + 2 * REACH - 1;
-        let now = self.cost(from, to);
-        let met = self.meetings(from, to);
-        let kept = (self.nodes.clone(), self.marks.clone());
+        let from = i + nodes - REACH + 1;
+        self.open(from, from + 2 * REACH - 1);
+        let old = self.window.nodes.clone();
+        let span = (from - 1, old.len());
+        let k = REACH + 1;
+        self.window.hold_rest(k);
+        let now = self.cost(k, f64::INFINITY);
         let mut best = now;
         let mut found = None;
         for share in [0.5, 0.25, 0.75] {
+            let mark = (first + ((many as f64 * share) as usize).clamp(1, many - 1)) % count;
             for on in if self.bends { &[true, false][..] } else { &[true][..] } {
-                let mark = (first + ((many as f64 * share) as usize).clamp(1, many - 1)) % count;
-                self.nodes.clone_from(&kept.0);
-                self.marks.clone_from(&kept.1);
-                self.nodes.insert(i + 1, Node { at: self.points[mark].round(), on: *on });
-                self.marks.insert(i + 1, mark);
-                let from = if from > i { from + 1 } else { from };
-                let to = from + 2 * REACH;
-                let mut cost = self.cost(from, to);
-                for k in [i + 1, i, i + 2] {
-                    cost = self.shift(k, from, to, cost);
+                self.window.nodes.clone_from(&old);
+                self.window.nodes.insert(k, Node { at: self.points[mark].round(), on: *on });
+                let mut cost = f64::INFINITY;
+                for k in [k, k - 1, k + 1] {
+                    self.window.hold_rest(k);
+                    cost = self.cost(k, f64::INFINITY);
+                    cost = self.shift(k, cost);
                 }
-                if cost < best && self.meetings(from, to) <= met {
+                if cost < best && self.has_room(span, &self.window.nodes, &old) {
                     best = cost;
-                    found = Some((self.nodes.clone(), self.marks.clone()));
+                    let near = [k - 1, k, k + 1].map(|k| self.window.nodes[k]);
+                    found = Some((mark, near));
                 }
             }
         }
-        match found {
-            Some(found) => {
-                (self.nodes, self.marks) = found;
-                for k in [i, i + 1, i + 2] {
-                    self.mark(k);
-                }
-                true
-            }
-            None => {
-                (self.nodes, self.marks) = kept;
-                false
-            }
+        let Some((mark, near)) = found else { return false };
+        self.nodes[i] = near[0];
+        self.nodes[(i + 1) % nodes] = near[2];
+        self.nodes.insert(i + 1, near[1]);
+        self.marks.insert(i + 1, mark);
+        self.settled.insert(i + 1, false);
+        for k in [i, i + 1, i + 2] {
+            self.mark(k);
         }
+        self.unsettle(i + 1);
+        true
     }
 
-    /// To where no single change helps any more.
-    pub fn run(&mut self) {
-        for sweep in 0..SWEEPS {
-            self.learn();
-            let mut changes = 0;
-            let mut i = 0;
-            while i < self.nodes.len() {
-                changes += usize::from(self.try_place(i));
-                if self.try_drop(i) {
-                    changes += 1;
-                    continue;
-                }
-                if sweep + 4 < SWEEPS && self.try_add(i) {
-                    changes += 1;
-                    i += 1;
-                }
-                i += 1;
+    /// Looks at some nodes; false where no single change helps any more.
+    pub fn step(&mut self) -> bool {
+        let mut seen = 0;
+        while seen < NODES_A_STEP && self.next < self.nodes.len() {
+            let i = self.next;
+            if self.settled[i] {
+                self.next += 1;
+                continue;
             }
-            if changes * 200 < self.nodes.len() {
-                break;
+            seen += 1;
+            self.settled[i] = true;
+            self.try_place(i);
+            if self.try_drop(i) {
+                continue;
             }
+            if self.sweep + LAST_SWEEPS < SWEEPS && self.try_add(i) {
+                self.next += 1;
+            }
+            self.next += 1;
         }
+        if self.next < self.nodes.len() {
+            return true;
+        }
+        let done = self.changes * 200 < self.nodes.len();
+        (self.sweep, self.next, self.changes) = (self.sweep + 1, 0, 0);
+        self.learn();
+        !done && self.sweep < SWEEPS
     }
 }

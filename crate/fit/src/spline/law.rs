@@ -8,8 +8,14 @@ use std::f64::consts::{LN_2, TAU};
 use glam::DVec2;
 
 /// Widths and turns that are written.
-pub const WIDTHS: u64 = 96;
+pub const WIDTHS: u64 = 80;
 pub const TURNS: u64 = 20;
+
+/// Widths that double.
+const OCTAVE: u64 = 8;
+
+/// The widest: beyond the longest step.
+const WIDEST: f64 = 360.0;
 
 /// The narrowest width, and how much wider each is than the one before: the eighth root of 2.
 const NARROWEST: f64 = 0.3;
@@ -48,11 +54,16 @@ impl Steps {
         let law = |turn: u64| {
             let k = turn as f64 / TURNS as f64;
             let s = 0.5 * (long - k * ahead) / f64::max(many, 1.0);
-            let width = ((s / NARROWEST).max(1.0).log2() * 8.0).round().clamp(0.0, (WIDTHS - 1) as f64);
+            let width = ((s / NARROWEST).max(1.0).log2() * 8.0).round().clamp(0.0, WIDEST);
             Self::new(width as u64, turn)
         };
         let bits = |law: &Self| many * law.base + (long - law.k * ahead) / (law.s * LN_2);
         (0..TURNS).map(law).min_by(|a, b| bits(a).total_cmp(&bits(b))).unwrap_or_else(|| law(0))
+    }
+
+    /// The law of the same steps in cells of 2^k each way.
+    pub fn of_cells(&self, k: u32) -> Self {
+        Self::new(self.width.saturating_sub(OCTAVE * u64::from(k)).min(WIDTHS - 1), self.turn)
     }
 
     /// About what a step takes.
@@ -87,11 +98,6 @@ impl Table {
         let fall = |x: i64, y: i64| exp(-((x * x + y * y) as f64).sqrt() / law.s);
         let falls = (-most..=most).flat_map(|x| (-most..=most).map(move |y| fall(x, y))).collect();
         Self { law, most, falls, weights: Vec::new(), along: vec![0.0; wide] }
-    }
-
-    /// How many products a step takes.
-    pub fn work(most: i64) -> i64 {
-        (2 * most + 1) * (2 * most + 1)
     }
 
     /// Prepares for a step after this one: the shares of each x.

@@ -10,14 +10,19 @@ use super::{FARTHEST, MAX_NODES, Node, Spline};
 /// What the first byte says; a [`ClosedCurve`](crate::ClosedCurve)'s says 1.
 const VERSION: u8 = 2;
 
-/// Bits of the grid's width that are kept: 11 of the exponent, 8 behind the point.
-const GRID_SHIFT: u32 = 44;
+/// Bits of the grid's width that are kept: 11 of the exponent, 6 behind the point.
+const GRID_SHIFT: u32 = 46;
+const MANTISSA: u32 = 52 - GRID_SHIFT;
 
-/// The longest step in x or y.
-const MOST_STEP: u64 = 255;
+/// Exponents from here on, as many as less than the second number, take few bits: grids of some pixels, and of leaves
+/// of size 1.
+const USUAL_EXPONENTS: (u64, u64) = (1023 - 45, 63);
 
-/// The most products that reading takes.
-const MOST_WORK: i64 = 1 << 27;
+/// How far steps reach, in cells, of which one is written.
+const REACHES: [u64; 12] = [1, 2, 3, 4, 6, 8, 11, 16, 23, 32, 45, 64];
+
+/// More bits than a number of steps has.
+const MOST_BITS: u64 = 48;
 
 /// Why a curve is not packed or unpacked.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
@@ -28,8 +33,8 @@ pub enum SplineError {
     /// What the bytes say, or what was given, is no curve.
     #[error("The curve does not hold together. Take the whole link, or fit the outline again.")]
     Unsound,
-    /// Too many nodes, or steps too long for the form.
-    #[error("The curve has too many nodes, or its grid is too fine. Fit the outline with fewer bytes.")]
+    /// Too many nodes for the form.
+    #[error("The curve has too many nodes. Fit the outline with fewer bytes.")]
     TooLarge,
 }
 
@@ -59,6 +64,59 @@ fn unfolded(x: u64) -> f64 {
     ((x >> 1) as i64 ^ -((x & 1) as i64)) as f64
 }
 
+/// Cells of 2^k numbers, one of them around 0.
+#[derive(Clone, Copy)]
+struct Cells {
+    k: u32,
+}
+
+impl Cells {
+    fn half(self) -> i64 {
+        (1 << self.k) >> 1
+    }
+
+    /// The cell of a number, and its place there.
+    fn of(self, number: i64) -> (i64, u64) {
+        let number = number + self.half();
+        (number >> self.k, (number & ((1 << self.k) - 1)) as u64)
+    }
+
+    fn place(self, cell: i64, place: u64) -> f64 {
+        ((cell << self.k) + place as i64 - self.half()) as f64
+    }
+}
+
+/// The smallest cells of which so many reach as far as this, and the least reach.
+fn cells(most: i64) -> (Cells, usize) {
+    let mut cells = Cells { k: 0 };
+    loop {
+        let wide = cells.of(most).0.max(-cells.of(-most).0) as u64;
+        if let Some(reach) = REACHES.iter().position(|&reach| reach >= wide) {
+            return (cells, reach);
+        }
+        cells.k += 1;
+    }
+}
+
+fn put_grid(coder: &mut Encoder, grid: f64) {
+    let kept = grid.to_bits() >> GRID_SHIFT;
+    let (exponent, mantissa) = (kept >> MANTISSA, kept & ((1 << MANTISSA) - 1));
+    let (low, many) = USUAL_EXPONENTS;
+    let usual = exponent.wrapping_sub(low);
+    coder.even(usual.min(many), many + 1);
+    if usual >= many {
+        coder.bits(exponent, 11);
+    }
+    coder.bits(mantissa, MANTISSA);
+}
+
+fn take_grid(coder: &mut Decoder) -> f64 {
+    let (low, many) = USUAL_EXPONENTS;
+    let usual = coder.even(many + 1);
+    let exponent = if usual < many { low + usual } else { coder.bits(11) };
+    f64::from_bits((exponent << MANTISSA | coder.bits(MANTISSA)) << GRID_SHIFT)
+}
+
 impl Spline {
     /// Whether there are three nodes, all on the grid, and its width is one that bytes keep.
     #[must_use]
@@ -74,8 +132,11 @@ impl Spline {
     /// The curve in few bytes: a version; then, by a range coder, the width of the grid, how many nodes, the law of
     /// steps, the first node, and for each node its kind and its step from the one before.
     ///
+    /// A step is told as one of some cells that lie around none, by the law, and a place in it, all alike. Cells are
+    /// single points unless some step is long.
+    ///
     /// # Errors
-    /// Where it is not [sound](Self::is_sound), has more than [`MAX_NODES`] nodes, or steps are too long.
+    /// Where it is not [sound](Self::is_sound) or has more than [`MAX_NODES`] nodes.
     pub fn to_bytes(&self) -> Result<Vec<u8>, SplineError> {
         if !self.is_sound() {
             return Err(SplineError::Unsound);
@@ -86,26 +147,28 @@ impl Spline {
         }
         let step = |i: usize| self.nodes[i].at - self.nodes[i - 1].at;
         let before = |i: usize| if i > 1 { step(i - 1) } else { DVec2::ZERO };
-        let most = (1..count).map(|i| step(i).abs().max_element()).fold(0.0, f64::max);
-        if most > MOST_STEP as f64 || Table::work(most as i64) * count as i64 > MOST_WORK {
-            return Err(SplineError::TooLarge);
-        }
-        let most = most as i64;
-        let law = Steps::of((1..count).map(|i| (step(i), before(i))));
+        let most = (1..count).map(|i| step(i).abs().max_element()).fold(0.0, f64::max) as i64;
+        let (cells, reach) = cells(most);
+        let law = Steps::of((1..count).map(|i| (step(i), before(i)))).of_cells(cells.k);
         let mut coder = Encoder::new();
-        coder.even(self.grid.to_bits() >> GRID_SHIFT, 1 << 20);
-        coder.even(count as u64, 1 << 12);
+        put_grid(&mut coder, self.grid);
+        let long = count.ilog2();
+        coder.even(u64::from(long), 12);
+        coder.bits(count as u64 - (1 << long), long);
         coder.even(law.width, WIDTHS);
         coder.even(law.turn, TURNS);
-        coder.even(most as u64, MOST_STEP + 1);
-        coder.gamma(folded(self.nodes[0].at.x));
-        coder.gamma(folded(self.nodes[0].at.y));
+        coder.gamma(u64::from(cells.k));
+        coder.even(reach as u64, REACHES.len() as u64);
+        let first = [self.nodes[0].at.x, self.nodes[0].at.y].map(folded);
+        let long = 64 - first[0].max(first[1]).leading_zeros();
+        coder.even(u64::from(long), MOST_BITS);
+        first.iter().for_each(|&number| coder.bits(number, long));
         let mut bends = count - self.corners();
         coder.even(u64::from(bends > 0), 2);
         if bends > 0 {
             coder.even(bends as u64 - 1, count as u64);
         }
-        let mut table = Table::new(law, most);
+        let mut table = Table::new(law, REACHES[reach] as i64);
         for (i, node) in self.nodes.iter().enumerate() {
             // Of those that are left, so many are control points.
             let left = count - i;
@@ -119,10 +182,14 @@ impl Spline {
                 continue;
             }
             let columns = table.columns(before(i));
-            let (x, y) = ((step(i).x as i64 + most) as usize, (step(i).y as i64 + most) as usize);
-            coder.put(columns[x], columns[x + 1] - columns[x], ALL);
-            let rows = table.rows(x);
-            coder.put(rows[y], rows[y + 1] - rows[y], ALL);
+            let [x, y] = [step(i).x, step(i).y].map(|number| cells.of(number as i64));
+            let column = (x.0 + REACHES[reach] as i64) as usize;
+            coder.put(columns[column], columns[column + 1] - columns[column], ALL);
+            let rows = table.rows(column);
+            let row = (y.0 + REACHES[reach] as i64) as usize;
+            coder.put(rows[row], rows[row + 1] - rows[row], ALL);
+            coder.bits(x.1, cells.k);
+            coder.bits(y.1, cells.k);
         }
         let mut bytes = vec![VERSION];
         bytes.extend(coder.finish());
@@ -136,13 +203,17 @@ impl Spline {
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, SplineError> {
         let Some((&VERSION, rest)) = bytes.split_first() else { return Err(SplineError::UnknownVersion) };
         let mut coder = Decoder::new(rest);
-        let grid = f64::from_bits(coder.even(1 << 20) << GRID_SHIFT);
-        let count = coder.even(1 << 12) as usize;
+        let grid = take_grid(&mut coder);
+        let long = coder.even(12) as u32;
+        let count = 1_usize << long | coder.bits(long) as usize;
         let law = Steps::new(coder.even(WIDTHS), coder.even(TURNS));
-        let most = coder.even(MOST_STEP + 1) as i64;
-        let (Some(x), Some(y)) = (coder.gamma(), coder.gamma()) else { return Err(SplineError::Unsound) };
-        let mut bends = if coder.even(2) == 1 { coder.even(count.max(1) as u64) + 1 } else { 0 };
-        if count < 3 || Table::work(most) * count as i64 > MOST_WORK || coder.is_past() {
+        let k = coder.gamma().filter(|&k| k < MOST_BITS).ok_or(SplineError::Unsound)?;
+        let cells = Cells { k: k as u32 };
+        let most = REACHES[coder.even(REACHES.len() as u64) as usize] as i64;
+        let long = coder.even(MOST_BITS) as u32;
+        let [x, y] = [coder.bits(long), coder.bits(long)];
+        let mut bends = if coder.even(2) == 1 { coder.even(count as u64) + 1 } else { 0 };
+        if count < 3 || coder.is_past() {
             return Err(SplineError::Unsound);
         }
         let mut table = Table::new(law, most);
@@ -167,7 +238,8 @@ impl Spline {
                 };
                 let x = number(&table.columns(before));
                 let y = number(&table.rows(x));
-                before = DVec2::new((x as i64 - most) as f64, (y as i64 - most) as f64);
+                let [x, y] = [x, y].map(|number| cells.place(number as i64 - most, coder.bits(cells.k)));
+                before = DVec2::new(x, y);
                 at += before;
             }
             nodes.push(Node { at, on });
