@@ -1,6 +1,6 @@
 import type { Page } from "@playwright/test";
 import { expectClean } from "./axe";
-import { FitTool, file, leafPicture } from "./fit-tool";
+import { apart, FitTool, file, GREEN, leafPicture } from "./fit-tool";
 import { expect, test } from "./fixture";
 
 test.use({ alone: true });
@@ -80,6 +80,29 @@ test("a fit is kept, opened again without fitting anew, named, pinned, removed a
     expect(curves?.b.name).toBe("From the garden");
     expect(curves?.b.curve.knots.length).toBe(made?.knots.length);
   });
+});
+
+test("the photograph of a fit goes along, cut out, and is bent by the grid", async ({ studio, page }) => {
+  const tool = new FitTool(page);
+  await keepLeaf(tool, page);
+  await tool.openFew(24);
+  await tool.fitted();
+  await more(page, "leaf", "Bend its photograph");
+  const picture = page.getByRole("region", { name: "Your picture" });
+  await expect(picture.locator(".subject-name", { hasText: "leaf" })).toBeVisible();
+  expect((await tool.scene()).deform?.subject).toBe("picture");
+  const { lit, box, colours } = await studio.look();
+  const [left, top, right, bottom] = box;
+  const all = (right - left) * (bottom - top);
+  expect(lit).toBeGreaterThan(0.3 * all);
+  // What is around the leaf is not there.
+  expect(lit).toBeLessThan(0.8 * all);
+  const [red = 0, green = 0, blue = 0] = [1, 3, 5].map((i) =>
+    Number.parseInt(colours[0]?.slice(i, i + 2) ?? "", 16),
+  );
+  expect(apart([red, green, blue], GREEN)).toBeLessThan(30);
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  await expect.poll(async () => (await tool.scene()).deform).toBeUndefined();
 });
 
 test("where the browser keeps nothing, the shelf says so, and the fit stays", async ({ page }) => {

@@ -26,12 +26,22 @@ const row = (n: number) => ({
   rms: 0.07,
   bytes: 402,
   outline: Float32Array.of(0, 0, 1, 0, 0, 1),
+  photograph: null,
 });
+const photograph = { blob: new Blob(["leaf"]), box: [-1, -1, 1, 0.5] as const };
 const ids = async () => (await fits.list()).map(({ id }) => id);
 
-it("gives back what was kept, with its outline", async () => {
-  await fits.put(row(1));
-  expect(await fits.list()).toEqual([{ ...row(1), named: false, pinned: false }]);
+it("gives back what was kept, with its outline and its photograph", async () => {
+  await fits.put({ ...row(1), photograph });
+  const [read] = await fits.list();
+  expect(read).toMatchObject({ ...row(1), named: false, pinned: false, photograph: { box: photograph.box } });
+  expect(await read?.photograph?.blob.text()).toBe("leaf");
+});
+
+it("reads a fit that was kept before photographs were", async () => {
+  const { photograph: _, ...before } = row(1);
+  await fits.put(before as KeptFit);
+  expect((await fits.list())[0]?.photograph).toBeNull();
 });
 
 it("keeps the last forty, and what is pinned besides", async () => {
@@ -68,7 +78,7 @@ it("puts back what was removed, as it was", async () => {
   expect(await fits.list()).toEqual(before);
 });
 
-it("passes over rows that are none, and over outlines that are none", async () => {
+it("passes over rows that are none, and over outlines and photographs that are none", async () => {
   await fits.put(row(1));
   const raw = await openDB("frond", VERSION);
   for (const [n, change] of [
@@ -80,13 +90,19 @@ it("passes over rows that are none, and over outlines that are none", async () =
     { outline: Float32Array.of(0, 0, 1, Number.NaN, 0, 1) },
     { outline: new Float32Array(5) },
     { outline: new Float32Array(2 * MOST_POINTS + 2) },
+    { photograph: { ...photograph, box: [1, 0, 0, 1] } },
+    { photograph: { ...photograph, box: [0, 0, 1, Number.NaN] } },
+    { photograph: { ...photograph, blob: "leaf" } },
+    { photograph: { ...photograph, blob: new Blob([]) } },
   ].entries()) {
     await raw.put("fits", { ...row(n + 10), ...change });
   }
   raw.close();
   const read = await fits.list();
-  expect(read.map(({ id }) => id)).toEqual(["id-17", "id-16", "id-15", "id-14", "id-1"]);
-  expect(read.map(({ outline }) => outline?.length ?? null)).toEqual([null, null, null, null, 6]);
+  const places = [21, 20, 19, 18, 17, 16, 15, 14, 1];
+  expect(read.map(({ id }) => id)).toEqual(places.map((n) => `id-${n}`));
+  expect(read.map(({ outline }) => outline?.length ?? null)).toEqual([6, 6, 6, 6, null, null, null, null, 6]);
+  expect(read.every(({ photograph }) => photograph === null)).toBe(true);
 });
 
 it("comes to a database of documents, which stay", async () => {

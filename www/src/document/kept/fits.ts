@@ -11,6 +11,16 @@ export interface KeptFit extends Kept {
   bytes: number;
   /** x0, y0, x1, y1, .. before it is smoothed; null where there is none. */
   outline: Float32Array<ArrayBuffer> | null;
+  /** Of the leaf; null where it was not fitted to a photograph. */
+  photograph: KeptPhotograph | null;
+}
+
+/** A small part of a photograph, with a leaf in it. */
+export interface KeptPhotograph {
+  /** A picture file. */
+  blob: Blob;
+  /** Where it lies in the plane of the fit: left, bottom, right, top. */
+  box: readonly [x0: number, y0: number, x1: number, y1: number];
 }
 
 /** Fits that are kept besides those that are pinned. */
@@ -18,6 +28,9 @@ export const MOST_FITS = 40;
 export const MOST_PINNED_FITS = 60;
 /** Points of an outline that are kept. */
 export const MOST_POINTS = 8192;
+/** Pixels a side of a photograph, and bytes of its file. */
+export const MOST_PIXELS = 512;
+const MOST_BYTES = 1 << 21;
 
 /** The fits of this browser. */
 export class Fits extends Rows<KeptFit> {
@@ -27,10 +40,25 @@ export class Fits extends Rows<KeptFit> {
 }
 
 function sound(read: Record<string, unknown>): Omit<KeptFit, keyof Kept> | null {
-  const { rms, bytes, outline } = read;
+  const { rms, bytes, outline, photograph } = read;
   const fragment = soundFragment(read["fragment"]);
   if (fragment === null || !isAmount(bytes) || !(rms === null || isAmount(rms))) return null;
-  return { fragment, rms, bytes, outline: isOutline(outline) ? outline : null };
+  return {
+    fragment,
+    rms,
+    bytes,
+    outline: isOutline(outline) ? outline : null,
+    photograph: soundPhotograph(photograph),
+  };
+}
+
+function soundPhotograph(read: unknown): KeptPhotograph | null {
+  if (typeof read !== "object" || read === null) return null;
+  const { blob, box } = read as Record<string, unknown>;
+  if (!(blob instanceof Blob) || blob.size === 0 || blob.size > MOST_BYTES) return null;
+  if (!Array.isArray(box) || box.length !== 4 || !box.every(Number.isFinite)) return null;
+  const [x0, y0, x1, y1] = box as [number, number, number, number];
+  return x0 < x1 && y0 < y1 ? { blob, box: [x0, y0, x1, y1] } : null;
 }
 
 const isAmount = (read: unknown): read is number =>

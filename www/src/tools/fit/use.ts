@@ -1,22 +1,17 @@
 /** A fit becomes a shape like any other. */
 import { effect, signal, untracked } from "@preact/signals";
+import { cutOut } from "#document/curve/cut-out";
+import { holdPhotograph, takenCurve } from "#document/curve/photographs";
+import { bendPicture } from "#document/deform/picture";
 import { useCurve as takeCurve, type Use } from "#document/fit";
+import type { KeptPhotograph } from "#document/kept/fits";
 import { notify, wordsOf } from "#document/notice";
 import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
+import { croppedPhotograph } from "./kept/photograph";
 import { problem, running, shapeOf, shownFigures, shownFit } from "./work/fitting";
-import { prepared } from "./work/outline";
+import { polylineOf, prepared } from "./work/outline";
 import { source } from "./work/source";
-
-/** The same curve about the origin, its longer side 2: as the shapes of the gallery lie. */
-export function centred({ knots, edges }: Curve): Curve {
-  const xs = knots.map(([x]) => x);
-  const ys = knots.map(([, y]) => y);
-  const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-  const scale = 2 / Math.max(x1 - x0, y1 - y0, 1e-12);
-  const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
-  return { knots: knots.map(([a, b]) => [(a - x) * scale, (b - y) * scale]), edges };
-}
 
 /** Where the fit goes as soon as it is done. */
 export const waiting = signal<Use | null>(null);
@@ -50,13 +45,44 @@ export function watchUse(): () => void {
 function take(to: Use): void {
   const best = shownFit.peek();
   const now = source.peek();
-  if (best) takeShape(shapeOf(best.curve), to, now.kind === "grown" ? now.grown : undefined);
+  if (!best) return;
+  void croppedPhotograph().then((photograph) => photograph && hold(best.curve, photograph));
+  takeShape(shapeOf(best.curve), to, now.kind === "grown" ? now.grown : undefined);
+}
+
+const hold = (curve: Curve, photograph: KeptPhotograph): unknown =>
+  // Without it the curve is what it is.
+  holdPhotograph(curve, photograph).catch(() => {});
+
+/** Takes a fit of the shelf into another tool, and its photograph with it. */
+export function takeKept(shape: CurveShape, photograph: KeptPhotograph | null, to: Use): void {
+  if (photograph) void hold(shape.curve, photograph);
+  takeShape(shape, to);
+}
+
+/** Takes the leaf of a photograph under the grid, cut out along its curve. */
+export async function bendPhotograph(
+  name: string,
+  curve: Curve,
+  given: KeptPhotograph | Promise<KeptPhotograph | null>,
+): Promise<void> {
+  try {
+    const photograph = await given;
+    if (!photograph) throw new Error("there is none any more");
+    const { image, box } = await holdPhotograph(curve, photograph);
+    const outline = polylineOf(takenCurve(curve));
+    if (!outline) throw new Error("its curve cannot be drawn");
+    const { data: pixels, width, height } = cutOut(image, box, outline);
+    bendPicture({ pixels, width, height, name });
+  } catch (problem) {
+    notify({ kind: "error", text: `This photograph cannot be bent: ${wordsOf(problem)}` });
+  }
 }
 
 /** Takes a curve into another tool; `grown` says what kind of outline it was made for. */
-export function takeShape(shape: CurveShape, to: Use, grown: string | undefined = shape.preset): void {
+function takeShape(shape: CurveShape, to: Use, grown: string | undefined = shape.preset): void {
   try {
-    const taken = shape.preset ? shape : { ...shape, curve: rough.quantised(centred(shape.curve)) };
+    const taken = shape.preset ? shape : { ...shape, curve: takenCurve(shape.curve) };
     const presets = rough.curvePresets();
     // A maple-like leaf goes to the oak-like one, whatever else to the maple.
     const wanted = grown !== undefined && grown !== "oak" ? "oak" : "maple";

@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { curveBoxAt } from "#document/curve/curve";
-import { type KeptFit, MOST_FITS } from "#document/kept/fits";
+import type { Use } from "#document/fit";
+import { type KeptFit, MOST_FITS, MOST_PIXELS } from "#document/kept/fits";
 import { LONGEST_NAME } from "#document/kept/rows";
 import { whenWords } from "#format/when";
 import { curveThumb } from "#stage/curve/thumb";
@@ -13,7 +14,7 @@ import type { Curve } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import fitCss from "../fit.module.css";
 import { cutting } from "../stage/layers";
-import { takeShape } from "../use";
+import { bendPhotograph, takeKept } from "../use";
 import {
   canKeep,
   fitOf,
@@ -70,8 +71,9 @@ export function KeptPanel() {
       )}
       <p class="hint">
         {there.length === 0 && "A fit that is kept can be opened again, and used, without fitting anew. "}
-        The last {MOST_FITS}, and those that you pin, with their outlines. They stay in this browser and go
-        nowhere.
+        The last {MOST_FITS}, and those that you pin, with their outlines and, of a photograph, a small
+        picture of the leaf ({MOST_PIXELS} pixels). They stay in this browser and go nowhere; a link does not
+        hold them.
       </p>
     </section>
   );
@@ -97,9 +99,12 @@ export function ToShelf() {
 
 function Entry({ row }: { row: KeptFit }) {
   const [naming, setNaming] = useState(false);
-  const { fragment } = row;
+  const { fragment, photograph } = row;
   const fit = useMemo(() => fitOf(fragment), [fragment]);
   const shape = fit && { ...fit.curve, name: row.name || fit.curve.name };
+  const take = (to: Use) => () => {
+    if (shape) takeKept(shape, photograph, to);
+  };
   return (
     <KeptRow
       small
@@ -124,9 +129,17 @@ function Entry({ row }: { row: KeptFit }) {
         items={[
           ...(shape
             ? [
-                { label: "Use as A", onSelect: () => takeShape(shape, "a") },
-                { label: "Use as B", onSelect: () => takeShape(shape, "b") },
-                { label: "Bend it", onSelect: () => takeShape(shape, "bent") },
+                { label: "Use as A", onSelect: take("a") },
+                { label: "Use as B", onSelect: take("b") },
+                { label: "Bend it", onSelect: take("bent") },
+                ...(photograph
+                  ? [
+                      {
+                        label: "Bend its photograph",
+                        onSelect: () => void bendPhotograph(shape.name, shape.curve, photograph),
+                      },
+                    ]
+                  : []),
               ]
             : []),
           { label: "Rename", onSelect: () => setNaming(true) },

@@ -9,6 +9,7 @@ import { frond } from "#wasm/core";
 import { openFit, plainName, running, shapeOf, shownFigures } from "../work/fitting";
 import { raw } from "../work/outline";
 import { source } from "../work/source";
+import { croppedPhotograph } from "./photograph";
 
 const store = new Fits();
 
@@ -72,6 +73,7 @@ export async function keepFit(): Promise<void> {
     rms: done.figures?.rms ?? null,
     bytes: done.bytes,
     outline: points && thinned(points),
+    photograph: await croppedPhotograph(),
   };
   await after(store.put(row), `${row.name} is kept under “Your fits”.`);
 }
@@ -89,7 +91,9 @@ export function fitOf(fragment: string): (Fit & { curve: CurveShape }) | null {
 
 /** On the stage again, in place of what is there. */
 export function openKept(row: KeptFit, fit: Fit): void {
-  openFit(fit, row.outline && Float64Array.from(row.outline));
+  const { outline, photograph } = row;
+  const { smoothing } = fit;
+  openFit(fit, outline && { outline: Float64Array.from(outline), smoothing, photograph });
   announce(`${row.name} is on the stage.`);
 }
 

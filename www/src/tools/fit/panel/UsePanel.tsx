@@ -1,10 +1,12 @@
 import { fitDocument, type Use } from "#document/fit";
 import { Button } from "#ui/controls/Button";
 import fitCss from "../fit.module.css";
+import { croppedPhotograph, photographed } from "../kept/photograph";
 import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";
-import { use, waiting } from "../use";
-import { running, shownFigures, shownFit } from "../work/fitting";
+import { bendPhotograph, use, waiting } from "../use";
+import { plainName, running, shownFigures, shownFit } from "../work/fitting";
+import { source } from "../work/source";
 
 /** Only what waits can be taken back. */
 const heldFor = (to: Use) => (waiting.value === to ? { pressed: true } : {});
@@ -34,6 +36,18 @@ export function UsePanel() {
         <Button disabled={!ready} {...heldFor("bent")} onClick={() => use("bent")}>
           Bend it
         </Button>
+        {closed && photographed.value && (
+          <Button
+            disabled={!ready}
+            description="The leaf, cut out along the curve, under the grid"
+            onClick={() => {
+              const fit = shownFit.peek();
+              if (fit) void bendPhotograph(plainName(source.peek().name), fit.curve, croppedPhotograph());
+            }}
+          >
+            Bend its photograph
+          </Button>
+        )}
       </div>
       {!closed && <p class="hint">The closed curve is what is morphed and bent: it has no gaps.</p>}
       <div class="row">

@@ -130,8 +130,8 @@ function backTo(of: Source | undefined): void {
 }
 
 /** Takes a fit that was kept into the document: one undo step, and nothing is fitted anew. */
-export function openFit({ numbers, smoothing, curve }: Fit, outline: Float64Array | null): void {
-  if (curve && outline) origins.set(curve.curve, { outline, smoothing });
+export function openFit({ numbers, smoothing, curve }: Fit, origin: Origin | null): void {
+  if (curve && origin) origins.set(curve.curve, origin);
   changeFit((now) => ({
     ...now,
     mode: "outline",

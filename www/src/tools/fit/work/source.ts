@@ -1,5 +1,6 @@
 /** What is fitted: a file that was opened, a leaf grown by program, or the curve that a link brought. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { KeptPhotograph } from "#document/kept/fits";
 import { announce, notify, wordsOf } from "#document/notice";
 import type { Curve } from "#wasm/api";
 import { fitTask } from "#workers/fit/client";
@@ -26,6 +27,7 @@ export interface Origin {
   outline: Float64Array;
   /** How much it was smoothed. */
   smoothing: number;
+  photograph: KeptPhotograph | null;
 }
 
 export const FIRST: Source = { kind: "grown", name: "Maple-like leaf", grown: "maple", seed: 1 };

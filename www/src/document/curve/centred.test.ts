@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { centred } from "./use";
+import { centred } from "./centred";
 
 test("a curve comes to lie about the origin, its longer side 2, and keeps its edges", () => {
   const edges = [null, { from: 0, span: 2, reversed: true, c: 0.3 }, null];

@@ -1,0 +1,64 @@
+/** The photograph that a fit was made from goes along with it: a small part of it, with the leaf. */
+import { computed, type ReadonlySignal } from "@preact/signals";
+import { type KeptPhotograph, MOST_PIXELS } from "#document/kept/fits";
+import type { Box } from "#geometry/boxes";
+import { boxOf, frameOfSize } from "../work/frame";
+import { raw } from "../work/outline";
+import { opened, source } from "../work/source";
+
+/** Left around the leaf, in parts of its longer side. */
+const EDGE = 0.04;
+const QUALITY = 0.85;
+
+/** Whether what is fitted came from a photograph that is still there. */
+export const photographed: ReadonlySignal<boolean> = computed(() => {
+  const now = source.value;
+  return opened.value !== null || (now.kind === "kept" && now.origin?.photograph != null);
+});
+
+/** A part of a picture in pixels from its upper left corner, and where that lies in the plane. */
+interface Crop {
+  left: number;
+  top: number;
+  across: number;
+  down: number;
+  box: KeptPhotograph["box"];
+}
+
+/** The whole pixels of a picture around a box of the plane, and a little more. */
+export function cropOf({ x0, y0, x1, y1 }: Box, width: number, height: number): Crop {
+  const { x, y, scale } = frameOfSize(width, height);
+  const edge = EDGE * Math.max(x1 - x0, y1 - y0);
+  const within = (pixel: number, most: number) => Math.min(most, Math.max(0, pixel));
+  const left = within(Math.floor((x0 - edge) / scale + x), width - 1);
+  const right = within(Math.ceil((x1 + edge) / scale + x), width);
+  // Pixels count down, the plane goes up.
+  const top = within(Math.floor(y - (y1 + edge) / scale), height - 1);
+  const bottom = within(Math.ceil(y - (y0 - edge) / scale), height);
+  const [across, down] = [Math.max(1, right - left), Math.max(1, bottom - top)];
+  const box = [left - x, y - (top + down), left + across - x, y - top].map((side) => side * scale);
+  return { left, top, across, down, box: box as unknown as KeptPhotograph["box"] };
+}
+
+/** The part with the leaf of the photograph on the stage, made small; null where there is none. */
+export async function croppedPhotograph(): Promise<KeptPhotograph | null> {
+  const now = source.peek();
+  if (now.kind === "kept") return now.origin?.photograph ?? null;
+  const points = raw.peek();
+  if (now.kind !== "picture" || !points) return null;
+  const { bitmap, width, height } = now.picture;
+  const { left, top, across, down, box } = cropOf(boxOf(points), width, height);
+  const factor = Math.min(1, MOST_PIXELS / Math.max(across, down));
+  const canvas = new OffscreenCanvas(
+    Math.max(1, Math.round(across * factor)),
+    Math.max(1, Math.round(down * factor)),
+  );
+  const context = canvas.getContext("2d");
+  if (!context) return null;
+  context.imageSmoothingQuality = "high";
+  context.drawImage(bitmap, left, top, across, down, 0, 0, canvas.width, canvas.height);
+  const blob = await canvas.convertToBlob({ type: "image/webp", quality: QUALITY });
+  // Not every browser writes WebP.
+  const small = blob.type === "image/webp";
+  return { box, blob: small ? blob : await canvas.convertToBlob({ type: "image/jpeg", quality: QUALITY }) };
+}
