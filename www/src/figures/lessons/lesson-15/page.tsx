@@ -133,22 +133,27 @@ function Ferns({ prediction }: { prediction: Prediction<Seen> }) {
   const { maps } = useMemo(() => preset("fern"), []);
   const areas = useMemo(() => byArea(maps), [maps]);
   const fair = useMemo(() => play(maps, FAIR, THROWS), [maps]);
+  const good = useMemo(() => play(maps, areas, THROWS), [maps, areas]);
   const found = marksIn(fair, TIP);
   return (
     <Question
       prediction={prediction}
       beside={
-        <Shade
-          game={shown ? fair : NOTHING}
-          box={FERN}
-          shape={1}
-          grain={FINE}
-          label={
-            shown
-              ? `Barnsley’s fern by a fair die: dense below, and ${found} of ${THROWS} marks in its upper half.`
-              : "An empty board for a fern."
-          }
-        />
+        <Panel caption={shown ? "By a fair die." : "By another die. The numbers are those of the maps."}>
+          <Shade
+            game={shown ? fair : good}
+            box={FERN}
+            shape={1}
+            grain={FINE}
+            label={
+              shown
+                ? `Barnsley’s fern by a fair die: dense below, and ${found} of ${THROWS} marks in its upper half.`
+                : "Barnsley’s fern by another die, and on each of its four pieces the number of its map."
+            }
+          >
+            {(place) => <PieceNames at={middles(maps, FERN).map(place)} />}
+          </Shade>
+        </Panel>
       }
       answer={
         <>
@@ -184,7 +189,6 @@ function Ferns({ prediction }: { prediction: Prediction<Seen> }) {
   );
 }
 
-const NOTHING = { points: new Float64Array(0), maps: new Uint8Array(0) };
 const LAPPED = gasket(0.64);
 
 /** The fern by dice from fair to areas, and what becomes of overlaps. */
