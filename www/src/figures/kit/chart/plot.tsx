@@ -52,9 +52,9 @@ export function Plot({ label, x, y, series, now, level, marks = [], height = HEI
   const left = (value: number) => along(x, value) * size.width;
   const top = (value: number) => (1 - along(y, value)) * size.height;
   return (
-    <div class={css["plot"]} ref={host} style={{ height: `${height}px` }}>
+    <div class={css["plot"]} ref={host} style={{ "--plot-height": `${height}px` }}>
       {size.width > 0 && (
-        <svg width={width} height={height} role="img" aria-label={label}>
+        <svg width={width} height={height} viewBox={`0 0 ${width} ${height}`} role="img" aria-label={label}>
           <g transform={`translate(${MARGIN.left} ${MARGIN.top})`}>
             <Axes x={x} y={y} size={size} />
             {level && (

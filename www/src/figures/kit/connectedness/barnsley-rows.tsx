@@ -26,9 +26,16 @@ export function Rows({ rounds, r, bare = false }: RowsProps) {
   const row = bare ? 22 : ROW;
   const height = row * rounds.length + (bare ? 0 : ROW + 18);
   return (
-    <div class={css["rows"]} ref={host} style={{ minHeight: `${height}px` }}>
+    <div class={css["rows"]} ref={host} style={{ "--rows-height": `${height}px` }}>
       {width > 0 && (
-        <svg width={width} height={height} role="img" aria-hidden={bare} aria-label={words(rounds, r)}>
+        <svg
+          width={width}
+          height={height}
+          viewBox={`0 0 ${width} ${height}`}
+          role="img"
+          aria-hidden={bare}
+          aria-label={words(rounds, r)}
+        >
           <Patterns />
           {!bare && <Limit r={r} y={rounds.length * row} width={width} />}
           {rounds.map((round, i) => (
