@@ -45,6 +45,7 @@ for (const { title, ids } of UNITS) {
         await expectClean(page);
         await expect(page.getByTestId("exercise")).not.toHaveCount(0);
         await expect(page.getByTestId("exercise").locator("[data-solved]")).toHaveCount(0);
+        await expectHandout(page);
         await expectAnswer(page);
         links.push(...(await studioLinks(page)));
       });
@@ -71,6 +72,16 @@ async function expectAnswer(page: Page): Promise<void> {
   await expectClean(page);
   await page.keyboard.press("Enter");
   await expect(question.getByTestId("truth")).toHaveCount(0);
+}
+
+/** One page to read and guess, one of exercises, one of answers. */
+async function expectHandout(page: Page): Promise<void> {
+  await page.emulateMedia({ media: "print" });
+  for (const format of ["A4", "Letter"]) {
+    const pdf = (await page.pdf({ format })).toString("latin1");
+    expect(pdf.match(/\/Type \/Page\b/g)?.length, format).toBe(3);
+  }
+  await page.emulateMedia({ media: "screen" });
 }
 
 /** How far down the page an element begins. */

@@ -36,39 +36,44 @@ export function Lesson(props: LessonProps) {
   useEffect(printHandouts, []);
   return (
     <LessonId.Provider value={props.id}>
-      <Whose />
-      <Head
-        number={props.number}
-        title={props.title}
-        badge="by Frond"
-        studio={props.studio}
-        more={
-          <>
-            <SlidesButton />
-            <IconButton
-              icon="print"
-              kind="quiet"
-              label="Print a handout"
-              description="with room to write, and the answers on a page of their own"
-              onClick={() => void printHandout()}
-            />
-          </>
-        }
-      >
-        {props.text}
-      </Head>
-      <section
-        class={frameCss["figure-live"]}
-        data-testid="live"
-        data-step="picture"
-        aria-label="The picture"
-      >
-        {props.children}
-      </section>
-      {props.question}
+      <div class={css["first"]}>
+        <Whose />
+        <Head
+          number={props.number}
+          title={props.title}
+          badge="by Frond"
+          studio={props.studio}
+          more={
+            <>
+              <SlidesButton />
+              <IconButton
+                icon="print"
+                kind="quiet"
+                label="Print a handout"
+                description="with room to write, and the answers on a page of their own"
+                onClick={() => void printHandout()}
+              />
+            </>
+          }
+        >
+          {props.text}
+        </Head>
+        <section
+          class={frameCss["figure-live"]}
+          data-testid="live"
+          data-step="picture"
+          aria-label="The picture"
+        >
+          {props.children}
+        </section>
+        {props.question}
+      </div>
       {props.exercises !== undefined && (
         <div class={css["exercises"]}>
           <h2 class={css["make"]}>Now make one yourself</h2>
+          <p class={css["paper-name"]} aria-hidden="true">
+            {props.number}, {props.title}
+          </p>
           {props.exercises}
         </div>
       )}
@@ -131,7 +136,7 @@ export function Question({ prediction, beside, children, answer, after }: Questi
         {beside !== undefined && <div class={layout["panel"]}>{beside}</div>}
         <div class={css["ask"]}>
           {children}
-          <Room lines={4} />
+          <Room lines={beside === undefined ? 4 : 2} />
           <div class={`${layout["buttons"]} ${css["look"]}`}>
             <Button kind={shown ? "plain" : "primary"} disabled={!said} onClick={shown ? again : look}>
               {shown ? "Think again" : "Show me"}
