@@ -319,4 +319,16 @@ describe("a path", () => {
     expect(kinds("fern", "maple")).toEqual(["collapse", "symmetry"]);
     expect(kinds("dragon", "gasket")[0]).toBe("refine");
   });
+
+  it("says how probable the maps of a route are", () => {
+    const heavy = { ...shape("dragon"), probabilities: [3, 1] };
+    const rounded = (list: number[]) => list.map((p) => Number(p.toFixed(9))).sort();
+    for (const [route] of [
+      frond.routes(heavy, shape("gasket")),
+      frond.ways(heavy, shape("gasket"), { limit: 1 }),
+    ]) {
+      expect(rounded(route?.fromProbabilities ?? [])).toEqual([0.1875, 0.25, 0.5625]);
+      expect(rounded(route?.toProbabilities ?? [])).toEqual([0.333333333, 0.333333333, 0.333333333]);
+    }
+  });
 });

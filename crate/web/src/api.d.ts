@@ -293,6 +293,9 @@ export interface Route {
   about: string;
   from: MapRow[];
   to: MapRow[];
+  /** How probable the maps are: each piece is as often met as it was. */
+  fromProbabilities: number[];
+  toProbabilities: number[];
   correspondence: number[];
   turns: number[];
   /** How far the maps have to move. */

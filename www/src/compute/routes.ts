@@ -2,32 +2,33 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
-import { sameMaps } from "#geometry/maps/same-maps";
-import type { MapRow, Route } from "#wasm/api";
+import { remade, sameWeighted, weighted } from "#geometry/maps/weighted";
+import type { Route, Shape } from "#wasm/api";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import { single } from "#workers/pool/protocol";
 
 /** Ways to bring two shapes to a morph. */
 export interface Routes {
   /** The pair that they were looked for. */
-  a: MapRow[];
-  b: MapRow[];
+  a: Shape;
+  b: Shape;
   /** Null while they are looked for. */
   list: Route[] | null;
   problem: string | null;
 }
 
 const latest = signal<Routes | null>(null);
-const a = computed(() => scene.value.a.maps);
-const b = computed(() => scene.value.b.maps);
+const a = computed(() => scene.value.a);
+const b = computed(() => scene.value.b);
 
 /** About the present pair, or the one from which a route has led to it; null where it was not asked for. */
 export const routes: ReadonlySignal<Routes | null> = computed(() => {
   const now = latest.value;
   if (!now) return null;
-  const mine = (from: readonly MapRow[], to: readonly MapRow[]) =>
-    sameMaps(from, a.value) && sameMaps(to, b.value);
-  return mine(now.a, now.b) || now.list?.some(({ from, to }) => mine(from, to)) ? now : null;
+  const mine = (from: Shape, to: Shape) => sameWeighted(from, a.value) && sameWeighted(to, b.value);
+  const leadsHere = (route: Route) =>
+    mine(remade(now.a, route.from, route.fromProbabilities), remade(now.b, route.to, route.toProbabilities));
+  return mine(now.a, now.b) || now.list?.some(leadsHere) ? now : null;
 });
 
 export function lookForRoutes(): void {
@@ -41,7 +42,11 @@ export function lookForRoutes(): void {
     single<"routes">(
       "routes",
       24,
-      { kind: "routes", from: mine.a, to: mine.b },
+      {
+        kind: "routes",
+        from: weighted(mine.a.maps, mine.a.weights),
+        to: weighted(mine.b.maps, mine.b.weights),
+      },
       {
         accept: (list) => set({ list }),
         fail: (error) =>

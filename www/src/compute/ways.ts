@@ -3,8 +3,9 @@ import { computed, effect, type ReadonlySignal, signal, untracked } from "@preac
 import { wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import { sameMaps } from "#geometry/maps/same-maps";
+import { weighted } from "#geometry/maps/weighted";
 import { isBroken } from "#geometry/states";
-import type { MapRow, Mode, PathPlan, Route } from "#wasm/api";
+import type { Ifs, Mode, PathPlan, Route } from "#wasm/api";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import type { Job, Kind, Task } from "#workers/pool/protocol";
 import { inputs as morph } from "./inputs";
@@ -21,9 +22,10 @@ export interface Offer {
 
 /** What is known of other ways than the present one, which breaks. */
 export interface Search {
-  a: MapRow[];
-  b: MapRow[];
+  a: Ifs;
+  b: Ifs;
   inputs: LocusInputs;
+  weights: string;
   /** The widest gap of the path that is there. */
   gap: number;
   /** How many ways there are to try, and how many were; null until they are listed. */
@@ -53,6 +55,10 @@ const MOST_CLOSE = 24;
 const NARROWER = 0.95;
 
 const latest = signal<Search | null>(null);
+const firstWeights = computed(() => scene.value.a.weights);
+const lastWeights = computed(() => scene.value.b.weights);
+/** No way hangs on the weights, but each brings them along. */
+const weights = computed(() => JSON.stringify([firstWeights.value, lastWeights.value]));
 
 /** Whether one of the shapes is itself in pieces: then nothing can hold all the way. */
 export const endBroken: ReadonlySignal<boolean> = computed(() => {
@@ -71,7 +77,7 @@ const same = (p: LocusInputs, q: LocusInputs): boolean =>
 /** About the present pair; null where nothing was looked for. */
 export const otherWays: ReadonlySignal<Search | null> = computed(() => {
   const now = latest.value;
-  return now !== null && same(now.inputs, morph.value) ? now : null;
+  return now !== null && same(now.inputs, morph.value) && now.weights === weights.value ? now : null;
 });
 
 /** Whether `plan` is better than a gap, or than another that was found before. */
@@ -88,9 +94,10 @@ function look(): void {
   const { a, b } = scene.peek();
   const gap = along.peek()?.worst?.gap ?? plan.peek()?.gap ?? Number.POSITIVE_INFINITY;
   latest.value = {
-    a: a.maps,
-    b: b.maps,
+    a: weighted(a.maps, a.weights),
+    b: weighted(b.maps, b.weights),
     inputs,
+    weights: weights.peek(),
     gap,
     of: null,
     done: 0,
@@ -209,6 +216,7 @@ export function scheduleWays(): void {
   effect(() => {
     const now = stuck.value;
     morph.value;
+    weights.value;
     epoch.value;
     untracked(() => {
       if (timer) clearTimeout(timer);

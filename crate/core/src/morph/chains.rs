@@ -59,10 +59,10 @@ impl Grid {
 
 /// A step of a chain: by this map, in this variant, from its start or from its end.
 #[derive(Clone, Copy)]
-struct Step {
-    map: usize,
-    with: Affine2,
-    reversed: bool,
+pub(crate) struct Step {
+    pub map: usize,
+    pub with: Affine2,
+    pub reversed: bool,
     to: DVec2,
 }
 
@@ -73,7 +73,7 @@ pub(crate) fn chains(
     [s, e]: [DVec2; 2],
     most: usize,
     left: &mut usize,
-) -> Vec<(Vec<Affine2>, Vec<bool>)> {
+) -> Vec<Vec<Step>> {
     let grid = Grid::new([s, e]);
     let mut steps: HashMap<[i64; 2], Vec<Step>> = HashMap::new();
     for (map, all) in variants.iter().enumerate() {
@@ -107,16 +107,10 @@ struct Search {
 }
 
 impl Search {
-    fn go(
-        &mut self,
-        at: DVec2,
-        way: &mut Vec<Step>,
-        found: &mut Vec<(Vec<Affine2>, Vec<bool>)>,
-        most: usize,
-    ) {
+    fn go(&mut self, at: DVec2, way: &mut Vec<Step>, found: &mut Vec<Vec<Step>>, most: usize) {
         if way.len() == self.used.len() {
             if self.grid.same(at, self.end) {
-                found.push(way.iter().map(|step| (step.with, step.reversed)).unzip());
+                found.push(way.clone());
             }
             return;
         }

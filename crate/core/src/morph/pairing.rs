@@ -60,9 +60,9 @@ pub fn probabilities_between(from: &[f64], to: &[f64], correspondence: &[usize],
 }
 
 /// A map and its probability.
-type Weighted = (Affine2, f64);
+pub(crate) type Weighted = (Affine2, f64);
 
-fn weighted(ifs: &Ifs) -> Vec<Weighted> {
+pub(crate) fn weighted(ifs: &Ifs) -> Vec<Weighted> {
     ifs.maps().iter().copied().zip(ifs.probabilities().iter().copied()).collect()
 }
 
@@ -77,8 +77,7 @@ fn extend(original: &[Weighted], target: usize, which: &str, steps: &mut Vec<Str
     let mut splits = 0;
     while gain > 0 && maps.len() + gain <= target {
         let i = largest(&maps);
-        let (map, share) = maps[i];
-        maps.splice(i..=i, original.iter().map(|&(part, p)| (map * part, share * p)));
+        maps = refined(&maps, original, i);
         splits += 1;
     }
     if splits > 0 {
@@ -111,10 +110,12 @@ fn extend(original: &[Weighted], target: usize, which: &str, steps: &mut Vec<Str
     maps
 }
 
-/// The maps with the one of index `k` replaced by its refinement, `w_k o w_1 .. w_k o w_N`.
-pub(crate) fn refined(maps: &[Affine2], original: &[Affine2], k: usize) -> Vec<Affine2> {
+/// The maps with the one of index `k` replaced by its refinement, `w_k o w_1 .. w_k o w_N`, which shares out its
+/// probability.
+pub(crate) fn refined(maps: &[Weighted], original: &[Weighted], k: usize) -> Vec<Weighted> {
     let mut refined = maps.to_vec();
-    refined.splice(k..=k, original.iter().map(|&part| maps[k] * part));
+    let (map, share) = maps[k];
+    refined.splice(k..=k, original.iter().map(|&(part, p)| (map * part, share * p)));
     refined
 }
 

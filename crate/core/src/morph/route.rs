@@ -8,7 +8,7 @@ use crate::ifs::system::Ifs;
 use crate::linear::affine::Affine2;
 use crate::morph::correspondence2::{Costs, Frame};
 use crate::morph::options::Mode;
-use crate::morph::pairing::{pair, refined};
+use crate::morph::pairing::{Weighted, pair, refined, weighted};
 use crate::morph::zipper::joined;
 
 /// What a [`Route`] does.
@@ -45,6 +45,11 @@ pub struct Route {
     pub from: Vec<Affine2>,
     /// The maps of the last shape; of [`RouteKind::Mirror`], of its mirror image.
     pub to: Vec<Affine2>,
+    /// How probable each map of `from` is. Pieces have the measure that they had; where a map is followed by a symmetry
+    /// of the shape, what is within them is turned with it.
+    pub from_probabilities: Vec<f64>,
+    /// The same of `to`.
+    pub to_probabilities: Vec<f64>,
     /// `correspondence[i]` is the map of `to` that map i of `from` becomes.
     pub correspondence: Vec<usize>,
     /// Whole extra turns of each map.
@@ -97,6 +102,26 @@ pub fn routes(from: &Ifs, to: &Ifs) -> Vec<Route> {
 }
 
 impl Route {
+    /// Each map becomes the one of the same place, at no cost as yet.
+    pub(crate) fn of(kind: RouteKind, about: String, from: Vec<Weighted>, to: Vec<Weighted>) -> Self {
+        let (correspondence, turns) = ((0..from.len()).collect(), vec![0; from.len()]);
+        let (from, from_probabilities) = from.into_iter().unzip();
+        let (to, to_probabilities) = to.into_iter().unzip();
+        Self {
+            kind,
+            about,
+            from,
+            to,
+            from_probabilities,
+            to_probabilities,
+            correspondence,
+            turns,
+            mode: None,
+            place: None,
+            cost: 0.0,
+        }
+    }
+
     fn costs(&self, frames: &[Frame; 2]) -> Costs {
         Costs::of(&self.from, &self.to, *frames)
     }
@@ -156,10 +181,8 @@ struct Maker {
 }
 
 impl Maker {
-    fn route(&self, kind: RouteKind, about: String, from: Vec<Affine2>, to: Vec<Affine2>) -> Route {
-        let (correspondence, turns) = ((0..from.len()).collect(), vec![0; from.len()]);
-        let mut route =
-            Route { kind, about, from, to, correspondence, turns, mode: None, place: None, cost: 0.0 };
+    fn route(&self, kind: RouteKind, about: String, from: Vec<Weighted>, to: Vec<Weighted>) -> Route {
+        let mut route = Route::of(kind, about, from, to);
         self.price(&mut route);
         route
     }
@@ -183,8 +206,7 @@ impl Maker {
     }
 
     fn plain(&self, from: &Ifs, to: &Ifs) -> Route {
-        let (from, to) = (from.maps().to_vec(), to.maps().to_vec());
-        let mut route = self.route(RouteKind::Plain, String::new(), from, to);
+        let mut route = self.route(RouteKind::Plain, String::new(), weighted(from), weighted(to));
         let collapse = self.collapse(&route);
         if collapse.is_empty() {
             route.about = "Each piece turns, stretches and moves into the one of the same number.".to_owned();
@@ -285,10 +307,12 @@ impl Maker {
         let centre = Hull::of(to).centre();
         let mirror = DMat2::from_diagonal(DVec2::new(-1.0, 1.0));
         let mirror = Affine2::new(mirror, centre - mirror * centre);
-        let maps: Option<Vec<Affine2>> = base.to.iter().map(|map| map.conjugate(mirror)).collect();
+        let to: Option<Vec<Affine2>> = base.to.iter().map(|map| map.conjugate(mirror)).collect();
+        let (correspondence, turns) = ((0..base.to.len()).collect(), vec![0; base.to.len()]);
         let about =
             "The last shape is shown in a mirror: it is the same shape, but the pieces turn other ways.";
-        let plain = self.route(RouteKind::Mirror, about.to_owned(), base.from.clone(), maps?);
+        let mut plain = Route { to: to?, correspondence, turns, ..base.clone() };
+        self.price(&mut plain);
         // The mirror exchanges left and right, so the order that suited the shape may not suit its image.
         let matched = self.rematched(&plain);
         let mut route = if matched.cost < CHEAPER_SHARE * plain.cost { matched } else { plain };
@@ -306,11 +330,13 @@ impl Maker {
         // Pairs that need any splitting count as refined.
         let kind =
             if missing >= few.len() - 1 && few.len() > 1 { RouteKind::Refine } else { RouteKind::Double };
-        let mut base = self.route(kind, paired.steps.join(" "), paired.from, paired.to);
+        let [own, other] = [(paired.from, paired.from_probabilities), (paired.to, paired.to_probabilities)]
+            .map(|(maps, probabilities)| maps.into_iter().zip(probabilities).collect());
+        let mut base = self.route(kind, paired.steps.join(" "), own, other);
         base.about.push_str(&self.collapse(&base));
-        let matched = |maps: Vec<Affine2>, kind: RouteKind, about: String| {
-            let many = many.maps().to_vec();
-            let (from, to) = if first { (maps, many) } else { (many, maps) };
+        let (few, many) = (weighted(few), weighted(many));
+        let matched = |maps: Vec<Weighted>, kind: RouteKind, about: String| {
+            let (from, to) = if first { (maps, many.clone()) } else { (many.clone(), maps) };
             let mut route = self.route(kind, about, from, to);
             route.correspondence = route.costs(&self.frames).best();
             self.price(&mut route);
@@ -322,10 +348,11 @@ impl Maker {
             if few.len() > 1 && missing == few.len() - 1 {
                 let about =
                     format!("Piece {} of the {which} shape is split into its {} parts.", k + 1, few.len());
-                others.push(matched(refined(few.maps(), few.maps(), k), RouteKind::Refine, about));
+                others.push(matched(refined(&few, &few, k), RouteKind::Refine, about));
             }
             if missing == 1 {
-                let mut maps = few.maps().to_vec();
+                let mut maps = few.clone();
+                maps[k].1 /= 2.0;
                 maps.push(maps[k]);
                 let about =
                     format!("Piece {} of the {which} shape counts twice, and comes apart into two.", k + 1);

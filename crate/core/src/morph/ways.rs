@@ -9,7 +9,7 @@ use crate::ifs::system::Ifs;
 use crate::linear::affine::Affine2;
 use crate::morph::correspondence2::{Costs, Frame, candidates};
 use crate::morph::options::Mode;
-use crate::morph::pairing::refined;
+use crate::morph::pairing::{Weighted, refined, weighted};
 use crate::morph::route::{Route, RouteKind, by_joints, laid, routes};
 
 /// Matchings and windings of each route.
@@ -58,14 +58,19 @@ fn split(from: &Ifs, to: &Ifs) -> Vec<Route> {
     if gain == 0 || many.len() == few.len() || (many.len() - few.len()) % gain != 0 {
         return Vec::new();
     }
-    let mut all = vec![few.maps().to_vec()];
+    let (few, many) = (weighted(few), weighted(many));
+    let mut all = vec![few.clone()];
     while all[0].len() < many.len() {
-        let mut next: Vec<Vec<Affine2>> = Vec::new();
+        let mut next: Vec<Vec<Weighted>> = Vec::new();
         for maps in &all {
             for k in 0..maps.len() {
-                let mut longer = refined(maps, few.maps(), k);
-                longer.sort_by(|a, b| a.to_row().partial_cmp(&b.to_row()).unwrap_or(Ordering::Equal));
-                if !next.contains(&longer) {
+                let mut longer = refined(maps, &few, k);
+                longer
+                    .sort_by(|(a, _), (b, _)| a.to_row().partial_cmp(&b.to_row()).unwrap_or(Ordering::Equal));
+                // The probabilities of the same maps differ by rounding alone.
+                let same =
+                    |other: &Vec<Weighted>| other.iter().map(|one| one.0).eq(longer.iter().map(|one| one.0));
+                if !next.iter().any(same) {
                     next.push(longer);
                 }
             }
@@ -75,21 +80,13 @@ fn split(from: &Ifs, to: &Ifs) -> Vec<Route> {
     }
     let frames = [Frame::of(from), Frame::of(to)];
     let which = if first { "first" } else { "last" };
-    let made = |maps: Vec<Affine2>| {
-        let other = many.maps().to_vec();
+    let made = |maps: Vec<Weighted>| {
+        let other = many.clone();
         let (from, to) = if first { (maps, other) } else { (other, maps) };
-        let correspondence = Costs::of(&from, &to, frames).best();
-        Route {
-            kind: RouteKind::Refine,
-            about: format!("Pieces of the {which} shape are split, so that it has {} maps.", many.len()),
-            turns: vec![0; from.len()],
-            mode: None,
-            place: None,
-            cost: 0.0,
-            from,
-            to,
-            correspondence,
-        }
+        let about = format!("Pieces of the {which} shape are split, so that it has {} maps.", many.len());
+        let mut route = Route::of(RouteKind::Refine, about, from, to);
+        route.correspondence = Costs::of(&route.from, &route.to, frames).best();
+        route
     };
     all.into_iter().map(made).collect()
 }

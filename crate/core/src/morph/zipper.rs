@@ -24,12 +24,13 @@ use crate::ifs::symmetry::symmetries;
 use crate::ifs::system::Ifs;
 use crate::linear::affine::Affine2;
 use crate::morph::chains::{Grid, chains, ends};
+use crate::morph::pairing::{Weighted, refined};
 
 /// A zipper: maps in their order along the chain.
 #[derive(Clone, Debug)]
 pub(crate) struct Zipper {
-    /// The maps, each maybe after a symmetry of the attractor.
-    pub maps: Vec<Affine2>,
+    /// The maps, each maybe after a symmetry of the attractor, and their probabilities.
+    pub maps: Vec<Weighted>,
     /// Whether each runs through its piece from its end to its start.
     pub reversed: Vec<bool>,
     /// Start and end.
@@ -42,9 +43,9 @@ pub(crate) struct Zipper {
 #[derive(Clone, Debug)]
 pub(crate) struct Joined {
     /// The maps of the first.
-    pub from: Vec<Affine2>,
+    pub from: Vec<Weighted>,
     /// The maps of the last, which may lie elsewhere than it did.
-    pub to: Vec<Affine2>,
+    pub to: Vec<Weighted>,
     /// The similarity that lays it there, if it had to be.
     pub place: Option<Affine2>,
 }
@@ -134,11 +135,12 @@ fn meet(p: &Zipper, q: &Zipper, least: f64) -> Option<(f64, Joined)> {
     let mut cost = 0.0;
     for k in 0..p.maps.len() {
         let laid_at = |map: Affine2| place.map_or(Some(map), |place| map.conjugate(place));
-        let (mut f, mut g) = (p.maps[k], laid_at(q.maps[k])?);
+        let (p_map, q_map) = (p.maps[k].0, q.maps[k].0);
+        let (mut f, mut g) = (p_map, laid_at(q_map)?);
         if p.reversed[k] != q.reversed[k] {
             // Whichever can be reversed, so that the two are nearer.
             let (other_f, other_g) =
-                (p.flip.map(|flip| f * flip), q.flip.and_then(|flip| laid_at(q.maps[k] * flip)));
+                (p.flip.map(|flip| f * flip), q.flip.and_then(|flip| laid_at(q_map * flip)));
             // The plainer of the two where there are both.
             f = match (other_f, other_g) {
                 (Some(other), Some(also)) if apart(other, g) > apart(f, also) => {
@@ -157,10 +159,10 @@ fn meet(p: &Zipper, q: &Zipper, least: f64) -> Option<(f64, Joined)> {
         if cost.is_nan() || cost >= least {
             return None;
         }
-        joined.from[k] = f;
-        joined.to.push(g);
+        joined.from[k].0 = f;
+        joined.to.push((g, q.maps[k].1));
     }
-    let sound = |maps: &[Affine2]| Ifs::new(maps.to_vec()).is_ok();
+    let sound = |maps: &[Weighted]| Ifs::new(maps.iter().map(|one| one.0).collect()).is_ok();
     (sound(&joined.from) && sound(&joined.to)).then_some((cost, joined))
 }
 
@@ -194,7 +196,7 @@ impl Zipper {
     }
 
     /// With the maps that take the place of map k.
-    fn with(&self, k: usize, maps: Vec<Affine2>, reversed: Vec<bool>) -> Self {
+    fn with(&self, k: usize, maps: Vec<Weighted>, reversed: Vec<bool>) -> Self {
         let mut longer = self.clone();
         longer.maps.splice(k..=k, maps);
         longer.reversed.splice(k..=k, reversed);
@@ -204,7 +206,7 @@ impl Zipper {
     /// Piece k split into the pieces of `whole` in it.
     fn split(&self, k: usize, whole: &Self) -> Self {
         let back = self.reversed[k];
-        let mut maps: Vec<Affine2> = whole.maps.iter().map(|&map| self.maps[k] * map).collect();
+        let mut maps = refined(&self.maps[k..=k], &whole.maps, 0);
         let mut reversed: Vec<bool> = whole.reversed.iter().map(|&r| r != back).collect();
         if back {
             maps.reverse();
@@ -216,7 +218,8 @@ impl Zipper {
     /// Piece k counted three times: there, back, and there again.
     fn thrice(&self, k: usize) -> Self {
         let back = self.reversed[k];
-        self.with(k, vec![self.maps[k]; 3], vec![back, !back, back])
+        let (map, share) = self.maps[k];
+        self.with(k, vec![(map, share / 3.0); 3], vec![back, !back, back])
     }
 }
 
@@ -251,8 +254,8 @@ fn grown(all: &[Zipper], count: usize) -> Vec<Zipper> {
 }
 
 /// The maps of largest area, all that are about as large.
-fn largest_first(maps: &[Affine2]) -> Vec<usize> {
-    let size = |k: &usize| maps[*k].determinant().abs();
+fn largest_first(maps: &[Weighted]) -> Vec<usize> {
+    let size = |k: &usize| maps[*k].0.determinant().abs();
     let most = (0..maps.len()).map(|k| size(&k)).fold(0.0, f64::max);
     (0..maps.len()).filter(|k| size(k) >= 0.5 * most).collect()
 }
@@ -284,9 +287,9 @@ pub(crate) fn zippers(ifs: &Ifs) -> Vec<Zipper> {
             grid.same(sigma.apply(ends[0]), ends[1]) && grid.same(sigma.apply(ends[1]), ends[0])
         });
         let room = MOST_ZIPPERS - found.len();
-        found.extend(chains(&variants, ends, room, &mut left).into_iter().map(|(maps, reversed)| Zipper {
-            maps,
-            reversed,
+        found.extend(chains(&variants, ends, room, &mut left).into_iter().map(|chain| Zipper {
+            maps: chain.iter().map(|step| (step.with, ifs.probabilities()[step.map])).collect(),
+            reversed: chain.iter().map(|step| step.reversed).collect(),
             ends,
             flip,
         }));
@@ -325,11 +328,16 @@ mod tests {
         ifs(&[[0.5, 0.0, 0.0, 0.5, 0.0, 0.0], [0.5, 0.0, 0.0, 0.5, 0.5, 0.0], [0.5, 0.0, 0.0, 0.5, 0.25, h]])
     }
 
+    fn plain(maps: &[Weighted]) -> Vec<Affine2> {
+        maps.iter().map(|one| one.0).collect()
+    }
+
     /// How far apart the joints of a chain come along the whole straight way, by the numbers of the maps alone.
     fn joints_apart(found: &Joined) -> f64 {
         let options = MorphOptions { mode: crate::Mode::Linear, ..MorphOptions::default() };
-        let morph = Morph::new(&found.from, &found.to, &options).unwrap();
-        let Joints { ends: [s, e], reversed } = joints(&found.from, &found.to).unwrap();
+        let (from, to) = (plain(&found.from), plain(&found.to));
+        let morph = Morph::new(&from, &to, &options).unwrap();
+        let Joints { ends: [s, e], reversed } = joints(&from, &to).unwrap();
         (0..=20)
             .map(|k| {
                 let t = f64::from(k) / 20.0;
@@ -380,7 +388,8 @@ mod tests {
             let grown = grown(&koch, count);
             assert!(!grown.is_empty(), "{count}");
             for zipper in &grown {
-                let same = joints(&zipper.maps, &zipper.maps).unwrap();
+                let maps = plain(&zipper.maps);
+                let same = joints(&maps, &maps).unwrap();
                 assert_eq!((same.reversed.len(), zipper.maps.len()), (count, count));
             }
         }

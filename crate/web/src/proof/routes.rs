@@ -148,6 +148,8 @@ fn write_route(route: &Route) -> Result<JsValue, JsValue> {
         ("about", (&*route.about).into()),
         ("from", write(&rows(&route.from))?),
         ("to", write(&rows(&route.to))?),
+        ("fromProbabilities", write(&route.from_probabilities)?),
+        ("toProbabilities", write(&route.to_probabilities)?),
         ("correspondence", write(&route.correspondence)?),
         ("turns", write(&route.turns)?),
         ("cost", route.cost.into()),

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { sameWeighted, withWeights } from "#geometry/maps/weighted";
 import type { MapRow, Route, Scene } from "#wasm/api";
 import { asBoth, choose, flatPairs, MOST_POINTS, setPoints, swap } from "./changes";
 import { isMatched, takeMatching, takeRoute, takeWay } from "./ways";
@@ -102,6 +103,8 @@ describe("ways to match and ways across", () => {
     const route = {
       kind: "mirror" as const,
       about: "",
+      fromProbabilities: [0.5, 0.25, 0.25],
+      toProbabilities: [0.5, 0.25, 0.25],
       correspondence: [0, 1, 2],
       turns: [0, 0, 0],
       cost: 1,
@@ -113,6 +116,35 @@ describe("ways to match and ways across", () => {
     expect(next).toMatchObject({ correspondence: [], turns: [], path: { kind: "auto", points: [] } });
   });
 
+  it("keeps weights on a way across, in other maps as those of their pieces, and gives none where there were none", () => {
+    const weights = [1, 85, 14];
+    const heavy: Scene = { ...scene, a: { ...scene.a, weights }, b: { ...scene.b } };
+    const route: Route = {
+      kind: "refine",
+      about: "",
+      from: [mirror, half, half, half, half],
+      to: [half, mirror, mirror, half, half],
+      fromProbabilities: [0.01, 0.14, 0.85 * 0.01, 0.85 * 0.85, 0.85 * 0.14],
+      toProbabilities: [0.2, 0.2, 0.2, 0.2, 0.2],
+      correspondence: [0, 1, 2, 3, 4],
+      turns: [0, 0, 0, 0, 0],
+      cost: 1,
+    };
+    const next = takeRoute(heavy, route);
+    expect(next.a).toEqual({ name: "One", maps: route.from, weights: [1, 14, 0.85, 72.25, 11.9] });
+    expect("weights" in next.b).toBe(false);
+    expect(takeWay(heavy, route, []).a.weights).toEqual(next.a.weights);
+    // Where the maps stay, so do the numbers that were typed.
+    const stays = takeRoute(heavy, { ...route, from: heavy.a.maps, fromProbabilities: [0.3, 0.3, 0.4] });
+    expect(stays.a).toBe(heavy.a);
+    // Rounding makes no other shape of it, another weight does.
+    expect(sameWeighted(next.a, { ...next.a, weights: [1, 14, 0.85, 72.25 + 1e-11, 11.9] })).toBe(true);
+    for (const other of [undefined, [1, 14, 0.85, 72, 11.9], [1, 14, 0.85, 72.25]]) {
+      expect(sameWeighted(next.a, withWeights(next.a, other))).toBe(false);
+      expect(sameWeighted(withWeights(next.a, other), next.a)).toBe(false);
+    }
+  });
+
   it("takes a way that was found with its mode, its path and its maps, and what it leaves as it is", () => {
     const place: MapRow[] = [half, half, mirror];
     const way: Route = {
@@ -120,6 +152,8 @@ describe("ways to match and ways across", () => {
       about: "",
       from: scene.a.maps,
       to: place,
+      fromProbabilities: [0.5, 0.25, 0.25],
+      toProbabilities: [0.5, 0.25, 0.25],
       correspondence: [0, 2, 1],
       turns: [0, 0, 0],
       cost: 1,

@@ -1,6 +1,6 @@
 /** How what was found becomes the document's: ways to match, and ways across, as functions from scene to scene. */
-import { sameMaps } from "#geometry/maps/same-maps";
-import type { Candidate, MapRow, PathPoint, Route, Scene, Shape } from "#wasm/api";
+import { remade } from "#geometry/maps/weighted";
+import type { Candidate, PathPoint, Route, Scene } from "#wasm/api";
 import { MOST_POINTS } from "./changes";
 
 /** Lists that say what is so anyway are left out of the document. */
@@ -22,13 +22,11 @@ export function takeMatching(
 
 /** A way across: the shapes stay what they are, even where other maps make them. The path is planned anew. */
 export function takeRoute(scene: Scene, route: Route): Scene {
-  const made = (shape: Shape, maps: MapRow[]): Shape =>
-    sameMaps(shape.maps, maps) ? shape : { name: shape.name, maps };
   return {
     ...scene,
     ...matched(route),
-    a: made(scene.a, route.from),
-    b: made(scene.b, route.to),
+    a: remade(scene.a, route.from, route.fromProbabilities),
+    b: remade(scene.b, route.to, route.toProbabilities),
     mode: route.mode ?? scene.mode,
     path: { kind: route.kind === "joints" ? "straight" : "auto", points: [] },
   };

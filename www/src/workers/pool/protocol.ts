@@ -97,9 +97,9 @@ export interface Tasks {
     to: MapRow[];
     options: MorphOptions & { size?: number; epsilon?: number };
   };
-  routes: { kind: "routes"; from: MapRow[]; to: MapRow[] };
+  routes: { kind: "routes"; from: Ifs; to: Ifs };
   /** All ways that are worth trying. */
-  ways: { kind: "ways"; from: MapRow[]; to: MapRow[]; limit: number };
+  ways: { kind: "ways"; from: Ifs; to: Ifs; limit: number };
   /**
    * The best path of a way, or the straight one. A coarse look takes some hundredths of a second; a close one, which a
    * way that seems to hold always has, a second or more.

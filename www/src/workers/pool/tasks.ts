@@ -115,7 +115,7 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
   },
   candidates: ({ frond }, { from, to, limit }) => frond.candidates({ maps: from }, { maps: to }, { limit }),
   rate: ({ frond }, { from, to, options }) => frond.rateCandidate({ maps: from }, { maps: to }, options),
-  ways: ({ frond }, { from, to, limit }) => frond.ways({ maps: from }, { maps: to }, { limit }),
+  ways: ({ frond }, { from, to, limit }) => frond.ways(from, to, { limit }),
   way({ frond }, { from, to, options, straight, closely }) {
     const ends: [Ifs, Ifs] = [{ maps: from }, { maps: to }];
     if (straight) {
@@ -129,7 +129,7 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
     }
     return frond.planPath(...ends, options);
   },
-  routes: ({ frond }, { from, to }) => frond.routes({ maps: from }, { maps: to }),
+  routes: ({ frond }, { from, to }) => frond.routes(from, to),
   verdict({ frond }, { maps, epsilon, polygon }) {
     const found = answer(frond, { maps }, epsilon);
     return polygon ? answerOf(found, polygon.sides, polygon.s) : found;
