@@ -1,5 +1,6 @@
 //! Closed curves of corners and parabolas on a grid, and how they are fitted within so many bytes.
 
+mod beginning;
 mod coder;
 mod contest;
 mod descent;

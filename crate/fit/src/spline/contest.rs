@@ -64,6 +64,7 @@ impl Contest {
     /// How many bytes a curve takes; it is kept where it is the nearest of those that fit and cross themselves nowhere
     /// that they should not.
     pub fn show(&mut self, spline: Spline) -> Option<usize> {
+        let spline = spline.cut_where_it_costs();
         let bytes = spline.to_bytes().ok()?;
         let many = bytes.len();
         if many <= self.budget {

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::beginning::Beginning;
 use super::contest::{Contest, SIDES};
 use super::grids::Grids;
 use super::{MAX_NODES, Spline};
@@ -26,8 +27,16 @@ const FEW_CORNERS: [usize; 4] = [3, 4, 6, 9];
 /// What part of the work the plain polylines are.
 const PLAIN_SHARE: f64 = 0.2;
 
-/// Ways to descend: whether nodes may leave the curve, and whether they are on it at first.
-const WAYS: [(bool, bool); 3] = [(false, true), (true, true), (true, false)];
+/// What descents begin with, in turn.
+const BEGINNINGS: [Beginning; 3] = [Beginning::Best, Beginning::Corners, Beginning::Bends];
+
+/// How many grids are tried from one beginning, and after a kick.
+const GRIDS: usize = 4;
+const GRIDS_AFTER_KICK: usize = 3;
+
+/// How many kicks there are within one byte, and how many at least and at most: each takes time as the bytes do.
+const KICKS: f64 = 1200.0;
+const KICK_RANGE: (usize, usize) = (3, 12);
 
 /// A curve within so many bytes, and how near it is.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +55,7 @@ enum Work {
     /// Polylines of so many corners, the last first.
     Plain(Vec<usize>, Option<Box<Straight>>),
     /// Descents: the ways that are left, the last first.
-    Descents(Vec<(bool, bool)>, Option<Box<Grids>>),
+    Descents(Vec<Beginning>, Option<Box<Grids>>),
     Done,
 }
 
@@ -59,6 +68,7 @@ pub struct SplineFitter {
     contest: Contest,
     work: Work,
     counts: usize,
+    kicks: usize,
     share: f64,
 }
 
@@ -88,6 +98,7 @@ impl SplineFitter {
             contest,
             work: Work::Plain(counts, None),
             counts: many,
+            kicks: ((KICKS / budget as f64) as usize).clamp(KICK_RANGE.0, KICK_RANGE.1),
             share: 0.0,
         }
     }
@@ -127,7 +138,8 @@ impl SplineFitter {
             }
             Work::Descents(ways, grids) => {
                 let begun = grids.as_ref().map_or(0.0, |grids| grids.share() - 1.0);
-                1.0 - (1.0 - PLAIN_SHARE) * (ways.len() as f64 - begun) / WAYS.len() as f64
+                1.0 - (1.0 - PLAIN_SHARE) * (ways.len() as f64 - begun)
+                    / (BEGINNINGS.len() + self.kicks) as f64
             }
             Work::Done => 1.0,
         };
@@ -157,17 +169,20 @@ impl SplineFitter {
         } else {
             // So few bytes may not follow the outline to where it meets itself.
             self.contest.relax();
-            Work::Descents(WAYS.into_iter().rev().collect(), None)
+            let mut ways: Vec<Beginning> = (0..self.kicks).rev().map(Beginning::Kick).collect();
+            ways.extend(BEGINNINGS.into_iter().rev());
+            Work::Descents(ways, None)
         };
     }
 
-    fn descents(&mut self, mut ways: Vec<(bool, bool)>, grids: Option<Box<Grids>>) {
+    fn descents(&mut self, mut ways: Vec<Beginning>, grids: Option<Box<Grids>>) {
         if let Some(mut grids) = grids
             && grids.step(&mut self.contest)
         {
             self.work = Work::Descents(ways, Some(grids));
-        } else if let Some((bends, on)) = ways.pop() {
-            let grids = Grids::new(&self.followed, &self.contest, bends, on);
+        } else if let Some(from) = ways.pop() {
+            let most = if matches!(from, Beginning::Kick(_)) { GRIDS_AFTER_KICK } else { GRIDS };
+            let grids = Grids::new(&self.followed, &self.contest, from, most);
             self.work = Work::Descents(ways, Some(Box::new(grids)));
         }
     }

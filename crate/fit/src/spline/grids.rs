@@ -2,20 +2,15 @@
 
 use glam::DVec2;
 
+use super::beginning::{Beginning, Start};
 use super::contest::Contest;
-use super::descent::{Descent, FEWEST};
+use super::descent::Descent;
 use super::pack::kept_grid;
-use super::{FARTHEST, MAX_NODES, Node, Spline};
-use crate::outline::{Guard, Outline, decimated};
+use super::{FARTHEST, Node, Spline};
+use crate::outline::{Guard, Outline};
 
 /// A curve that has so much of its bytes is put up with.
 const FILLED: f64 = 0.985;
-
-/// The most grids on which a descent is run from one beginning.
-const MOST_GRIDS: usize = 6;
-
-/// About how many bits a node takes.
-const NODE_BITS: f64 = 9.0;
 
 /// Descents, each from what the one before has found.
 #[derive(Clone, Debug)]
@@ -25,42 +20,43 @@ pub struct Grids {
     origin: DVec2,
     nodes: Vec<Node>,
     marks: Vec<usize>,
-    bends: bool,
     guarded: bool,
     grid: f64,
+    /// How dear a bit is in the first sweep of the first descent.
+    greed: f64,
     /// The widest grid that was too fine, and the narrowest that was not.
     fine: f64,
     coarse: f64,
     round: usize,
+    most: usize,
     descent: Option<Descent>,
 }
 
 impl Grids {
-    pub fn new(followed: &Outline, contest: &Contest, bends: bool, on: bool) -> Self {
-        let points = followed.points();
-        let free = contest.free_bits().max(64.0);
-        let start = ((free / NODE_BITS) as usize).clamp(FEWEST + 2, MAX_NODES / 2).min(points.len() / 2);
-        let marks = decimated(followed, start);
-        let origin = points[0];
-        let nodes = marks.iter().map(|&mark| Node { at: points[mark] - origin, on }).collect();
+    /// On so many grids at most.
+    pub fn new(followed: &Outline, contest: &Contest, from: Beginning, most: usize) -> Self {
+        let origin = followed.points()[0];
+        let Start { mut nodes, marks, grid, greed } = from.start(followed, contest);
+        nodes.iter_mut().for_each(|node| node.at -= origin);
         Self {
-            points: points.iter().map(|p| *p - origin).collect(),
+            points: followed.points().iter().map(|p| *p - origin).collect(),
             origin,
             nodes,
             marks,
-            bends,
             guarded: contest.guard().is_some_and(Guard::is_strict),
-            grid: contest.outline().diagonal() * 5.6 / free,
+            grid,
+            greed,
             fine: 0.0,
             coarse: f64::INFINITY,
             round: 0,
+            most,
             descent: None,
         }
     }
 
     /// About how far it is, from 0 to 1.
     pub fn share(&self) -> f64 {
-        (self.round as f64 + self.descent.as_ref().map_or(0.0, Descent::share)) / MOST_GRIDS as f64
+        (self.round as f64 + self.descent.as_ref().map_or(0.0, Descent::share)) / self.most as f64
     }
 
     /// The grid point that the first point lies on: nodes are counted from the plane's origin, points from it.
@@ -75,7 +71,7 @@ impl Grids {
             return true;
         }
         self.round += 1;
-        self.end(contest) && self.round < MOST_GRIDS
+        self.end(contest) && self.round < self.most
     }
 
     fn begin(&mut self) -> bool {
@@ -87,7 +83,8 @@ impl Grids {
         let scaled = self.points.iter().map(|p| (*p + off) / self.grid).collect();
         let place = |node: &Node| Node { at: ((node.at + off) / self.grid).round(), ..*node };
         let nodes = self.nodes.iter().map(place).collect();
-        self.descent = Some(Descent::new(scaled, (nodes, self.marks.clone()), self.bends, self.guarded));
+        self.descent = Some(Descent::new(scaled, (nodes, self.marks.clone()), self.greed, self.guarded));
+        self.greed = 1.0;
         true
     }
 

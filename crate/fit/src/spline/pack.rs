@@ -129,6 +129,22 @@ impl Spline {
             && kept_grid(self.grid) == self.grid
     }
 
+    /// The same curve from that node on which it takes the most to go to: how one comes to the first is not told.
+    pub(crate) fn cut_where_it_costs(mut self) -> Self {
+        let count = self.nodes.len();
+        let step = |i: usize| self.nodes[i % count].at - self.nodes[(i + count - 1) % count].at;
+        let law = Steps::of((0..count).map(|i| (step(i), step(i + count - 1))));
+        // With the first step, how it turns is told from nothing.
+        let bits = |i: usize| {
+            let (now, next) = (step(i), step(i + 1));
+            law.bits(now, step(i + count - 1)) + law.bits(next, now) - law.bits(next, DVec2::ZERO)
+        };
+        if let Some(first) = (0..count).max_by(|&a, &b| bits(a).total_cmp(&bits(b))) {
+            self.nodes.rotate_left(first);
+        }
+        self
+    }
+
     /// The curve in few bytes: a version; then, by a range coder, the width of the grid, how many nodes, the law of
     /// steps, the first node, and for each node its kind and its step from the one before.
     ///
