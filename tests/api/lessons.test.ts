@@ -1,7 +1,7 @@
 /** What lessons say of their shapes, against what decides it. */
 import { readFile } from "node:fs/promises";
 import { beforeAll, describe, expect, it } from "vitest";
-import initCore from "../../www/pkg/frond.js";
+import initCore from "../../www/pkg/frond-first.js";
 import initProof, { checkPath, connectedness, planPath } from "../../www/pkg/frond-proof.js";
 import { barnsley } from "../../www/src/figures/kit/connectedness/barnsley";
 import { preset } from "../../www/src/figures/kit/frame/studio-link";
@@ -16,11 +16,13 @@ import { APART_S } from "../../www/src/figures/lessons/lesson-21/curves";
 import * as bend from "../../www/src/figures/lessons/lesson-22/answer";
 import * as walk from "../../www/src/figures/lessons/lesson-25/walk";
 import type { Connectedness } from "../../www/src/wasm/api";
+import { startBends } from "../../www/src/wasm/bend";
 
 const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.meta.url));
 
 beforeAll(async () => {
-  await initCore({ module_or_path: read("frond_bg.wasm") });
+  await initCore({ module_or_path: read("frond-first_bg.wasm") });
+  await startBends(read("frond-bend_bg.wasm").then((bytes) => WebAssembly.compile(bytes)));
   await initProof({ module_or_path: read("frond-proof_bg.wasm") });
 });
 

@@ -5,14 +5,14 @@ import { edit, endGesture, redo, scene, start, undo } from "#document/scene";
 import { placeShape, takenOf } from "#document/whole";
 import { apartBy } from "#geometry/maps/apart";
 import type { MapRow } from "#wasm/api";
-import initCore from "../../www/pkg/frond.js";
+import initCore from "../../www/pkg/frond-first.js";
 
 const blank = { ...scene.peek() };
 const first = { ...blank, a: { preset: "gasket", ...blank.a }, correspondence: [1, 2, 0] };
 const TURNED: MapRow = [0, -2, 2, 0, 3, 1];
 
 beforeAll(() =>
-  initCore({ module_or_path: readFile(new URL("../../www/pkg/frond_bg.wasm", import.meta.url)) }),
+  initCore({ module_or_path: readFile(new URL("../../www/pkg/frond-first_bg.wasm", import.meta.url)) }),
 );
 beforeEach(() => start(first));
 

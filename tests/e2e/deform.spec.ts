@@ -201,3 +201,46 @@ test("axe finds nothing in the deformation tool", async ({ studio, page }) => {
   await page.getByRole("button", { name: /Choose another shape$/ }).click();
   await expectClean(page);
 });
+
+test("what is bent is shown when what bends is there, and never at rest before", async ({ studio, page }) => {
+  const bent = "v=1&a=gasket&b=gasket&path=straight&mesh=4x4:0,0,1,1&bend=0,9,0.75&keys=0:6,0.3,0.2";
+  await studio.open(bent, "?backend=canvas");
+  const { hash } = await studio.look();
+  let letGo = () => {};
+  const held = new Promise<void>((resolve) => {
+    letGo = resolve;
+  });
+  await page.route(/frond-bend_bg.*\.wasm$/, async (route) => {
+    await held;
+    await route.continue();
+  });
+  await studio.open(bent, "?backend=canvas");
+  await expect(studio.verdict).toBeVisible();
+  // Neither by the page, which shows something coarse at first, nor by a worker.
+  const lit = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll<HTMLCanvasElement>(".picture canvas")].some((canvas) => {
+        const { width, height } = canvas;
+        const pixels = canvas.getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
+        return pixels.some((byte) => byte > 0);
+      }),
+    );
+  await expect.poll(() => page.evaluate(() => window.frond?.locusProgress())).toBe(1);
+  expect(await lit()).toBe(false);
+  letGo();
+  expect((await studio.look()).hash).toBe(hash);
+});
+
+test.describe("without what bends", () => {
+  test.use({ expected: /frond-bend|Failed to load resource/ });
+
+  test("the page says so", async ({ studio, page }) => {
+    await page.route(/frond-bend_bg.*\.wasm$/, (route) => route.abort());
+    await studio.open("v=1&a=gasket&b=gasket&path=straight&mesh=4x4:0,0,1,1&bend=0,9,0.75&keys=0:6,0.3,0.2");
+    await expect
+      .poll(() => studio.said())
+      .toContainEqual(expect.stringMatching(/^What bends shapes could not be loaded/));
+    // All else goes on.
+    await expect(studio.verdict).toBeVisible();
+  });
+});

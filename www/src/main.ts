@@ -14,6 +14,7 @@ import { playOnce } from "./shell/tools";
 import { reportTrouble, showFailure } from "./shell/trouble";
 import { whenFirstPicture } from "./stage/first-picture";
 import { adoptPath, watchAutomaticPath } from "./tools/morph/locus/path/automatic";
+import { loadBends } from "./wasm/bend";
 import { load } from "./wasm/core";
 import { compileProof } from "./wasm/proof";
 import { startEngine } from "./workers/pool/engine";
@@ -22,6 +23,8 @@ reportTrouble();
 
 async function begin(root: HTMLElement): Promise<void> {
   const parameters = readParameters(location.search);
+  // Nothing can read the link yet. Where it seems to bend something, what does is fetched beside what reads it.
+  if (/[#&](mesh=|tool=deform)/.test(location.hash)) loadBends().catch(() => {});
   const page = await load();
   // Under way while the first picture is drawn, which does without it. What goes wrong is told where it is waited for.
   const proof = compileProof();

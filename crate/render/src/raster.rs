@@ -87,7 +87,17 @@ impl RenderError {
 /// # Errors
 /// [`RenderError::TooLarge`] and [`RenderError::View`].
 pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, RenderError> {
-    let Some(bend) = options.bend else { return rasterize_unbent(ifs, options) };
+    match options.bend {
+        Some(bend) => rasterize_bent(ifs, bend, options),
+        None => rasterize_unbent(ifs, options),
+    }
+}
+
+/// The same, bent by this, whatever the options say of a bend: without what draws an attractor at rest.
+///
+/// # Errors
+/// [`RenderError::TooLarge`] and [`RenderError::View`].
+pub fn rasterize_bent(ifs: &Ifs, bend: &Bend, options: &RasterOptions<'_>) -> Result<Vec<u8>, RenderError> {
     let Some(mut ground) = Ground::new(ifs, options)? else { return Ok(Vec::new()) };
     let anchor_error = AnchorError::of(&ground.frame, bend);
     let bent = |(view, window), fine| Bent::new(&ground.frame, bend, &anchor_error, (view, window), fine);

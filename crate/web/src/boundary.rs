@@ -1,6 +1,6 @@
 //! What crosses the boundary to JavaScript, and how: values, shapes and errors, read and written once for all modules.
 
-#[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]
+#[cfg(any(feature = "bend", feature = "curve", feature = "webgpu", feature = "webgl2"))]
 pub(crate) mod bend;
 pub(crate) mod error;
 #[cfg(any(feature = "proof", feature = "space", feature = "webgpu"))]
@@ -8,8 +8,10 @@ pub(crate) mod grid;
 pub(crate) mod palette;
 #[cfg(any(feature = "proof", feature = "space"))]
 pub(crate) mod path;
-#[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]
+#[cfg(any(feature = "bend", feature = "webgpu", feature = "webgl2"))]
 pub(crate) mod photo;
+#[cfg(any(feature = "compute", feature = "bend"))]
+pub(crate) mod picture;
 #[cfg(any(feature = "compute", feature = "proof"))]
 pub(crate) mod polygon;
 #[cfg(any(feature = "proof", feature = "space"))]

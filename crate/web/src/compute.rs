@@ -1,10 +1,11 @@
 //! What describes and draws shapes of the plane: all that the first picture needs.
 
-mod deform;
 mod document;
+// With what bends there is one that does both.
+#[cfg(not(feature = "bend"))]
 mod raster;
 mod shape;
-mod sheet;
-mod view;
 
-pub use {deform::*, document::*, raster::*, shape::*, sheet::*};
+#[cfg(not(feature = "bend"))]
+pub use raster::*;
+pub use {document::*, shape::*};

@@ -9,18 +9,19 @@
 //!
 //! 1. `boundary`: how values cross. `value` reads and writes maps and options, `error` is what is thrown.
 //! 2. `compute`: what describes and draws. `shape` shows best how a function is exported.
-//! 3. `proof`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`: a folder or a file for each of the other
-//!    modules, a file for what belongs together.
+//! 3. `bend`, `proof`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`: a folder or a file for each of the
+//!    other modules, a file for what belongs together.
 //! 4. `renderers`: the stages of `frond-render` on a canvas, for WebGPU and for WebGL2.
 //!
-//! Each folder is a feature of the crate, and `cargo xtask build` makes a module of each: crate/xtask/src/modules.rs
-//! names them.
+//! Each folder is a feature of the crate, and `cargo xtask build` makes a module of each, and one of `compute` and
+//! `bend` together: crate/xtask/src/modules.rs names them.
 //!
 //! [`LocusTiles`]: crate::LocusTiles
 #![allow(clippy::missing_errors_doc)]
 #![cfg_attr(
     not(all(
         feature = "compute",
+        feature = "bend",
         feature = "curve",
         feature = "proof",
         feature = "fit",
@@ -31,6 +32,8 @@
     allow(dead_code, reason = "no module alone needs all conversions")
 )]
 
+#[cfg(feature = "bend")]
+mod bend;
 mod boundary;
 #[cfg(feature = "compute")]
 mod compute;
@@ -51,6 +54,8 @@ mod renderers;
 #[cfg(feature = "space")]
 pub mod space;
 
+#[cfg(feature = "bend")]
+pub use bend::*;
 #[cfg(feature = "compute")]
 pub use boundary::polygon::*;
 #[cfg(feature = "compute")]
@@ -68,6 +73,7 @@ use wasm_bindgen::prelude::*;
 #[cfg(any(
     feature = "compute",
     not(any(
+        feature = "bend",
         feature = "curve",
         feature = "proof",
         feature = "fit",
@@ -89,6 +95,11 @@ const TYPES: &str = r#"import type {
   IndexBuffer, IndexBufferOptions, Locus, LocusOptions, MorphOptions, PathCertificate, PathCheck, PathOptions, PathPlan, PathPoint,
   PolygonFamily, RatedCandidate, Route
 } from "./frond.js";"#;
+
+/// What bends, too.
+#[cfg(all(feature = "bend", not(feature = "compute")))]
+#[wasm_bindgen(typescript_custom_section)]
+const BEND_TYPES: &str = r#"import type { Bend, BendFacts, Ifs, RasterOptions } from "./frond.js";"#;
 
 /// What traces and fits, too.
 #[cfg(all(feature = "fit", not(feature = "compute")))]

@@ -1,13 +1,15 @@
 //! The modules that crate/web is built into, and the files of each.
 
-/// The name of the files and the feature that makes them. The first describes and draws, and is all that the first
-/// picture needs; the second has closed curves and graphs, where the page shows some; the third decides and proves,
-/// in the workers; the fourth traces and fits outlines, in workers of its own; the fifth is for space, where its
-/// tool is open; the sixth reads and writes files of other programs, when one is opened or saved; the seventh has
-/// shapes of several states, where some are shown; the eighth draws a morph on other people's pages; of the others,
-/// which draw on a graphics card, a visitor gets one.
-pub const MODULES: [(&str, &str); 10] = [
-    ("frond", "compute"),
+/// The name of the files and the features that make them. The first describes, draws and bends: the package has it.
+/// The page has these two apart: what describes and draws, all that the first picture needs, and what bends, where
+/// something is bent. Then there are closed curves and graphs, where the page shows some; what decides and proves,
+/// in the workers; what traces and fits outlines, in workers of its own; space, where its tool is open; what reads and
+/// writes files of other programs, when one is opened or saved; shapes of several states, where some are shown; and
+/// what draws a morph on other people's pages. Of the others, which draw on a graphics card, a visitor gets one.
+pub const MODULES: [(&str, &str); 12] = [
+    ("frond", "compute,bend"),
+    ("frond-first", "compute"),
+    ("frond-bend", "bend"),
     ("frond-curve", "curve"),
     ("frond-proof", "proof"),
     ("frond-fit", "fit"),
@@ -19,6 +21,9 @@ pub const MODULES: [(&str, &str); 10] = [
     ("frond-webgl2", "webgl2"),
 ];
 
+/// Those that the package does without.
+const PAGE_ALONE: [&str; 2] = ["frond-first", "frond-bend"];
+
 /// Scripts of crate/web/js, which choose among the modules.
 pub const SCRIPTS: [&str; 2] = ["renderer.js", "renderer.d.ts"];
 
@@ -29,5 +34,15 @@ pub fn files_of(name: &str) -> [String; 4] {
 
 /// What the page imports.
 pub fn files() -> Vec<String> {
-    MODULES.iter().flat_map(|(name, _)| files_of(name)).chain(SCRIPTS.map(str::to_owned)).collect()
+    files_with(|_| true)
+}
+
+/// What the package brings.
+pub fn packaged() -> Vec<String> {
+    files_with(|name| !PAGE_ALONE.contains(&name))
+}
+
+fn files_with(wanted: impl Fn(&str) -> bool) -> Vec<String> {
+    let modules = MODULES.iter().filter(|(name, _)| wanted(name)).flat_map(|(name, _)| files_of(name));
+    modules.chain(SCRIPTS.map(str::to_owned)).collect()
 }

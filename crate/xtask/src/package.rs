@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::command::{Outcome, root, target};
-use crate::modules::files;
+use crate::modules::packaged;
 use crate::stamp;
 
 const MANIFEST: &str = include_str!("package/package.json");
@@ -47,7 +47,7 @@ pub fn write() -> Outcome {
         fs::remove_dir_all(&package)?;
     }
     fs::create_dir_all(&package)?;
-    for file in files() {
+    for file in packaged() {
         fs::copy(root().join("www/pkg").join(&file), package.join(&file))?;
     }
     for file in ["frond-view.js", "licenses.txt"] {

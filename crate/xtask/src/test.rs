@@ -243,8 +243,9 @@ fn clippy() -> Outcome {
 fn clippy_wasm() -> Outcome {
     let others: Vec<String> = MODULES
         .iter()
-        .filter(|(_, feature)| *feature != "webgl2")
-        .map(|(_, feature)| format!("frond-web/{feature}"))
+        .flat_map(|(_, features)| features.split(','))
+        .filter(|feature| *feature != "webgl2")
+        .map(|feature| format!("frond-web/{feature}"))
         .collect();
     for features in [others.join(","), "frond-web/webgl2".to_owned()] {
         let line = format!(

@@ -40,11 +40,11 @@ pub fn rebuild(steps: &mut Steps) -> Outcome {
     // Asking Cargo which crates a module is made of takes a moment each: not where nothing has changed at all.
     let (stamp, text) = (stamp_of("wasm"), inputs()?);
     if !stamp::holds(&stamp, &text) || !files().iter().all(|file| pkg.join(file).is_file()) {
-        for (name, feature) in MODULES {
-            let text = hash(&crates(feature)?)?;
+        for (name, features) in MODULES {
+            let text = hash(&crates(features)?)?;
             let there = files_of(name).iter().all(|file| pkg.join(file).is_file());
             if !there || !stamp::holds(&stamp_of(name), &text) {
-                stale.push(Stale { name, feature, text });
+                stale.push(Stale { name, features, text });
             }
         }
     }
@@ -65,7 +65,7 @@ pub fn rebuild(steps: &mut Steps) -> Outcome {
 /// A module that has to be built, and the hash of what it will be built from.
 struct Stale {
     name: &'static str,
-    feature: &'static str,
+    features: &'static str,
     text: String,
 }
 
@@ -87,9 +87,9 @@ pub fn inputs() -> Outcome<String> {
 }
 
 /// The folders of the crates that a module is made of, itself among them.
-fn crates(feature: &str) -> Outcome<Vec<PathBuf>> {
+fn crates(features: &str) -> Outcome<Vec<PathBuf>> {
     let line = format!(
-        "tree --package frond-web --no-default-features --features {feature} --target {WASM_TARGET} \
+        "tree --package frond-web --no-default-features --features {features} --target {WASM_TARGET} \
          --edges normal,build --prefix none --format {{p}}"
     );
     let text =
@@ -133,9 +133,9 @@ fn make(modules: &[Stale], pkg: &Path) -> Outcome {
     thread::scope(|scope| -> Outcome {
         let mut finishing = Vec::new();
         for module in modules.iter().rev() {
-            let (name, feature) = (module.name, module.feature);
+            let (name, features) = (module.name, module.features);
             run(&mut cargo_wasm(&format!(
-                "build --package frond-web --lib --release --target {WASM_TARGET} --no-default-features --features {feature}"
+                "build --package frond-web --lib --release --target {WASM_TARGET} --no-default-features --features {features}"
             )))?;
             // The next one is built in the same place.
             let raw = made.join(format!("{name}.raw.wasm"));

@@ -13,7 +13,7 @@ import { bentPicture } from "#stage/surface/sheet";
 import type { Pixels } from "#stage/surface/surface";
 import { effectiveView, stageSize } from "#stage/view";
 import type { Scene } from "#wasm/api";
-import { frond } from "#wasm/core";
+import { loadBends, rasterized } from "#wasm/bend";
 import { curvesFetched } from "#wasm/curve";
 import { killWorker, workers } from "#workers/pool/engine";
 
@@ -81,9 +81,10 @@ async function twin(which: Which = "main"): Promise<Pixels> {
   const bent = selection.peek() ? null : bend.peek();
   const photograph = which === "main" ? pictureShown.peek() : null;
   if (photograph) {
+    await loadBends();
     return bentPicture(photograph, { bend: bent, parts: deformation.peek().parts, view, width, height });
   }
-  const data = frond.rasterize(weighted(maps, shownWeights.peek()), {
+  const data = await rasterized(weighted(maps, shownWeights.peek()), {
     width,
     height,
     view,

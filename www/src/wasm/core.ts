@@ -1,5 +1,5 @@
-import init, * as bindings from "../../pkg/frond.js";
-import wasmUrl from "../../pkg/frond_bg.wasm?url";
+import init, * as bindings from "../../pkg/frond-first.js";
+import wasmUrl from "../../pkg/frond-first_bg.wasm?url";
 import type { Colouring } from "./api";
 import { compiled, once } from "./module";
 
@@ -10,9 +10,6 @@ export interface RenderStyle {
   palette: string[];
   exposure?: number;
 }
-
-/** A picture on a rectangle, bent without a graphics card. `free()` it. */
-export type SheetHandle = InstanceType<typeof bindings.Sheet>;
 
 /** The module of the first picture. */
 export type Frond = typeof bindings;

@@ -98,7 +98,7 @@ pub(crate) fn of_bend(error: &BendError) -> JsValue {
 }
 
 /// A bend object on a shape.
-#[cfg_attr(not(feature = "compute"), expect(dead_code, reason = "a renderer has its maps from elsewhere"))]
+#[cfg_attr(not(feature = "bend"), expect(dead_code, reason = "a renderer has its maps from elsewhere"))]
 pub(crate) fn bend_on(maps: &[frond_core::Affine2], value: &JsValue) -> Result<Bend, JsValue> {
     let (mesh, settings, tint) = read_bend(value)?;
     Bend::new(maps, mesh, settings, tint).map_err(|error| of_bend(&error))

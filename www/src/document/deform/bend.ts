@@ -1,9 +1,11 @@
 /** What the document says of bending, how that is changed, and the bend at the present moment. */
-import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { bendAt } from "#geometry/bend";
 import type { Bend, Deformation, Scene } from "#wasm/api";
+import { loadBends } from "#wasm/bend";
 import { curved } from "../curve/curve";
 import { aroundStanding } from "../framing";
+import { notify, wordsOf } from "../notice";
 import { edit, replace, scene } from "../scene";
 import { tool } from "../tool";
 
@@ -79,4 +81,14 @@ export const bend: ReadonlySignal<Bend | null> = computed(() => {
   if (document.subject === "picture" && tool.value !== "deform") return null;
   const now = bendAt(document, document.phase);
   return heldPlain.value ? { ...now, kb: now.ke } : now;
+});
+
+const bending = computed(() => bend.value !== null);
+
+// What bends is fetched with the first bend.
+effect(() => {
+  if (!bending.value) return;
+  loadBends().catch((problem) =>
+    notify({ kind: "error", text: `What bends shapes could not be loaded: ${wordsOf(problem)}` }),
+  );
 });

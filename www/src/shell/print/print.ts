@@ -15,7 +15,7 @@ import { effectiveView, stageSize } from "#stage/view";
 import { WHITE } from "#style/colours";
 import type { NamedMaps } from "#ui/files/exporting";
 import { whileDrawn } from "#ui/files/saving";
-import { frond } from "#wasm/core";
+import { rasterize } from "#wasm/bend";
 import { makePicture } from "#workers/film/picture";
 import { addressOf, stageStill } from "../save";
 import { openedTool } from "../tools";
@@ -85,9 +85,7 @@ function atOnce(): HTMLElement {
       ...(bent ? { bend: bent } : {}),
     };
     try {
-      const pixels = new Uint8ClampedArray(
-        frond.rasterize(weighted(shown.peek(), shownWeights.peek()), options),
-      );
+      const pixels = new Uint8ClampedArray(rasterize(weighted(shown.peek(), shownWeights.peek()), options));
       canvas.getContext("2d")?.putImageData(new ImageData(pixels, canvas.width, canvas.height), 0, 0);
       return canvas;
     } catch {

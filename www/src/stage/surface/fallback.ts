@@ -1,12 +1,13 @@
 import type { Photograph } from "#document/deform/photograph";
 import type { View } from "#geometry/coordinates";
 import type { Bend, MapRow } from "#wasm/api";
+import { bends, bendsReady, loadBends } from "#wasm/bend";
 import { frond, type RenderStyle } from "#wasm/core";
 import { Coalesce } from "#workers/pool/coalesce";
 import { submit } from "#workers/pool/engine";
 import { type Channel, type Job, single } from "#workers/pool/protocol";
 import { partsOf, SheetPainter } from "./sheet";
-import type { Drawn, Pixels, Surface } from "./surface";
+import type { Drawn, Pixels, Surface, Wanted } from "./surface";
 
 const KEYS = ["maps", "weights", "bend", "view", "style", "width", "height"] as const;
 
@@ -40,6 +41,10 @@ export class Fallback implements Surface {
     this.#channel = channel;
   }
 
+  lacks({ bend, picture }: Wanted): Promise<unknown> | null {
+    return (bend || picture) && !bendsReady() ? loadBends() : null;
+  }
+
   setMaps(maps: MapRow[], weights: number[] | undefined): void {
     // Throws where there is no attractor, as the renderer does.
     frond.bounds({ maps });
@@ -56,7 +61,7 @@ export class Fallback implements Surface {
   setBend(bend: Bend | null): void {
     const { maps } = this.#wanted;
     // Throws where it cannot be had, as the renderer does.
-    if (bend && maps) frond.bendFacts({ maps }, bend);
+    if (bend && maps) bends().bendFacts({ maps }, bend);
     this.#wanted = { ...this.#wanted, bend };
   }
 

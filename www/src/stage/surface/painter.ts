@@ -81,7 +81,9 @@ export class Painter {
   constructor(host: HTMLElement, options: PainterOptions) {
     this.#host = host;
     this.#options = options;
-    this.#preview = new Preview(host);
+    this.#preview = new Preview(host, () => {
+      if (this.#wanted) this.show(this.#wanted);
+    });
     void this.#open();
   }
 
@@ -190,6 +192,15 @@ export class Painter {
     this.#frame = 0;
     const surface = this.#surface;
     if (!surface || !this.#wanted || this.#wanted.width === 0 || this.#wanted.height === 0) return;
+    const late = surface.lacks?.(this.#wanted);
+    if (late) {
+      // Where it cannot be had, whoever has the document says so.
+      late.then(
+        () => this.#schedule(),
+        () => {},
+      );
+      return;
+    }
     this.#adapt(performance.now() - this.#asked);
     this.#give(surface, this.#wanted);
     if (this.#empty) {

@@ -1,4 +1,4 @@
-import { frond } from "#wasm/core";
+import { bendsReady, loadBends, rasterize } from "#wasm/bend";
 import type { Wanted } from "./surface";
 
 /** As many pixels as are computed within a frame or two on an old telephone. */
@@ -7,9 +7,12 @@ const PIXELS = 120_000;
 /** The first picture: computed here and now, coarse, and shown until the renderer has been downloaded. */
 export class Preview {
   readonly #canvas = document.createElement("canvas");
+  readonly #onReady: () => void;
   #last: Wanted | null = null;
 
-  constructor(host: HTMLElement) {
+  /** `onReady` is told when there is more to draw with. */
+  constructor(host: HTMLElement, onReady: () => void) {
+    this.#onReady = onReady;
     this.#canvas.setAttribute("aria-hidden", "true");
     host.prepend(this.#canvas);
   }
@@ -18,6 +21,11 @@ export class Preview {
   show(request: Wanted): boolean {
     const { maps, bend, view, style, ratio } = request;
     if (request.picture) return false;
+    if (bend && !bendsReady()) {
+      // Nothing is shown unbent meanwhile. Whoever has the document says it where this fails.
+      loadBends().then(this.#onReady, () => {});
+      return false;
+    }
     const last = this.#last;
     const same = last?.maps === maps && last.bend === bend && last.view === view;
     if (same && last.width === request.width) return true;
@@ -27,7 +35,7 @@ export class Preview {
     const height = Math.ceil(request.height / coarse);
     if (width === 0 || height === 0) return false;
     try {
-      const pixels = frond.rasterize(
+      const pixels = rasterize(
         { maps },
         {
           width,

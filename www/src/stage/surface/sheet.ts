@@ -1,7 +1,7 @@
 import type { Photograph } from "#document/deform/photograph";
 import type { View } from "#geometry/coordinates";
 import type { Bend } from "#wasm/api";
-import { frond, type SheetHandle } from "#wasm/core";
+import { bends, type SheetHandle } from "#wasm/bend";
 import type { Drawn } from "./surface";
 
 /** What a bent picture is drawn with: lengths are device pixels. */
@@ -19,7 +19,10 @@ const KEYS = ["bend", "parts", "view", "width", "height"] as const;
 const MOST_MS = 60;
 const COARSEST = 6;
 
-/** Bends a picture without a graphics card: coarse at once, complete when nothing changes any more. */
+/**
+ * Bends a picture without a graphics card: coarse at once, complete when nothing changes any more. It comes after
+ * `loadBends`.
+ */
 export class SheetPainter {
   readonly #photograph: Photograph;
   readonly #sheet: SheetHandle;
@@ -29,7 +32,8 @@ export class SheetPainter {
 
   constructor(photograph: Photograph) {
     this.#photograph = photograph;
-    this.#sheet = new frond.Sheet(photograph.pixels, photograph.width, photograph.height);
+    const { Sheet } = bends();
+    this.#sheet = new Sheet(photograph.pixels, photograph.width, photograph.height);
   }
 
   /** Whether it is this picture that it draws. */
@@ -74,9 +78,10 @@ export class SheetPainter {
   }
 }
 
-/** One picture of a bent picture, complete. */
+/** One picture of a bent picture, complete: after `loadBends`. */
 export function bentPicture(photograph: Photograph, request: SheetRequest): ImageData {
-  const sheet = new frond.Sheet(photograph.pixels, photograph.width, photograph.height);
+  const { Sheet } = bends();
+  const sheet = new Sheet(photograph.pixels, photograph.width, photograph.height);
   try {
     const { bend, parts, view, width, height } = request;
     return image(sheet.draw(bend, parts, { width, height, view }), width, height);

@@ -35,6 +35,8 @@ export interface Wanted {
 /** Something that fills a canvas with an attractor. Sizes are device pixels. */
 export interface Surface {
   readonly canvas: HTMLCanvasElement;
+  /** What has to be fetched before it can be given this; null where all is there. */
+  lacks?(wanted: Wanted): Promise<unknown> | null;
   setMaps(maps: MapRow[], weights: number[] | undefined): void;
   /** A picture in place of the attractor, or null: the maps are then those of the rectangle that it lies on. */
   setPicture(picture: Photograph | null): void;

@@ -1,4 +1,5 @@
 import type { ToolEntry } from "#stage/tool";
+import { loadBends } from "#wasm/bend";
 import { keepPhase } from "./keep";
 
 export const deform: ToolEntry = {
@@ -6,7 +7,7 @@ export const deform: ToolEntry = {
   label: "Deform",
   title: "Frond: bend a fractal by a grid",
   side: "Shape and grid",
-  tool: () => import("./tool").then((module) => module.tool),
+  tool: () => Promise.all([import("./tool"), loadBends()]).then(([module]) => module.tool),
   keepOnUndo: keepPhase,
   missing: "The deformation grid could not be loaded",
 };

@@ -7,7 +7,7 @@ import { standing } from "#document/morph";
 import { wordsOf } from "#document/notice";
 import { standIn } from "#document/stand-in";
 import type { Bend, BendFacts, MapRow } from "#wasm/api";
-import { frond } from "#wasm/core";
+import { bends } from "#wasm/bend";
 import { DEEPEST, roughFrom } from "./changes";
 
 /** The maps that are bent. */
@@ -44,7 +44,7 @@ const answer: ReadonlySignal<Answer> = computed(() => {
   const plain = JSON.parse(settings.value) as Omit<Bend, "moves">;
   const bend: Bend = { ...plain, moves: new Array<number>(2 * plain.columns * plain.rows).fill(0) };
   try {
-    return { facts: frond.bendFacts({ maps: maps.value }, bend), problem: null };
+    return { facts: bends().bendFacts({ maps: maps.value }, bend), problem: null };
   } catch (problem) {
     return { facts: null, problem: wordsOf(problem) };
   }

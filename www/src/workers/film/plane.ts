@@ -1,7 +1,7 @@
 /** The tasks of workers that draw frames of the plane. */
 import { weighted } from "#geometry/maps/weighted";
 import type { Bend, MapRow, RasterOptions } from "#wasm/api";
-import { frond, type SheetHandle } from "#wasm/core";
+import { loadBends, rasterized, type SheetHandle } from "#wasm/bend";
 import type { Context } from "../lanes/task";
 import type { FramePixels } from "./subject";
 
@@ -26,19 +26,20 @@ export const planeTasks = {
   attractor(
     context: Context,
     { maps, weights, options }: { maps: MapRow[]; weights?: number[] | undefined; options: RasterOptions },
-  ): FramePixels {
-    return measured(context, options, () => frond.rasterize(weighted(maps, weights), options));
+  ): Promise<FramePixels> {
+    return measured(context, options, () => rasterized(weighted(maps, weights), options));
   },
 
   /** The picture that is bent from now on, in this lane. */
-  sheetBegin({ keep }: Context, { pixels, width, height }: SheetPicture): null {
+  async sheetBegin({ keep }: Context, { pixels, width, height }: SheetPicture): Promise<null> {
+    const { Sheet } = await loadBends();
     (keep.get(SHEET) as SheetHandle | undefined)?.free();
-    keep.set(SHEET, new frond.Sheet(pixels, width, height));
+    keep.set(SHEET, new Sheet(pixels, width, height));
     return null;
   },
 
   /** It, bent. */
-  sheet(context: Context, { bend, parts, options }: SheetFrame): FramePixels {
+  sheet(context: Context, { bend, parts, options }: SheetFrame): Promise<FramePixels> {
     const sheet = context.keep.get(SHEET) as SheetHandle | undefined;
     if (!sheet)
       throw { code: "export-lost", message: "The picture was lost on the way. Make the film again." };
@@ -46,14 +47,14 @@ export const planeTasks = {
   },
 };
 
-function measured(
+async function measured(
   context: Context,
   { width, height }: { width: number; height: number },
-  draw: () => Uint8ClampedArray,
-): FramePixels {
+  draw: () => Uint8ClampedArray | Promise<Uint8ClampedArray>,
+): Promise<FramePixels> {
   const began = performance.now();
   // Declared as what may be shared memory; it never is.
-  const data = draw() as Uint8ClampedArray<ArrayBuffer>;
+  const data = (await draw()) as Uint8ClampedArray<ArrayBuffer>;
   context.transfer(data.buffer);
   return { width, height, data, took: performance.now() - began };
 }

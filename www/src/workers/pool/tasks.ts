@@ -3,6 +3,7 @@ import { answerOf } from "#geometry/maps/polygon-family";
 import { weighted } from "#geometry/maps/weighted";
 import { atResolution, STATE } from "#geometry/states";
 import type { Connectedness, Ifs, Locus, PathPoint } from "#wasm/api";
+import { rasterized } from "#wasm/bend";
 import { frond as core, type Frond } from "#wasm/core";
 import type { LocusTiles, Proof } from "#wasm/proof";
 import type { Context } from "../lanes/task";
@@ -150,9 +151,9 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
       const { verdict, gap, diameter } = answer(frond, ifs, epsilon);
       return { verdict, gap, diameter };
     }),
-  async picture({ frond, transfer }, { maps, weights, options }) {
+  async picture({ transfer }, { maps, weights, options }) {
     const { width, height } = options;
-    const pixels = frond.rasterize(weighted(maps, weights), options);
+    const pixels = await rasterized(weighted(maps, weights), options);
     const image = await createImageBitmap(
       new ImageData(pixels as Uint8ClampedArray<ArrayBuffer>, width, height),
     );

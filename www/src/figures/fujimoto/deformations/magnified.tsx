@@ -2,7 +2,7 @@ import { useMemo } from "preact/hooks";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
-import { frond } from "#wasm/core";
+import { bends } from "#wasm/bend";
 import { Panel } from "../../kit/frame/panel";
 import type { Point } from "../../kit/maps/pieces";
 import type { Place } from "../../kit/picture/annotated";
@@ -36,7 +36,7 @@ interface MagnifiedProps {
 function useMiddles({ maps, bend, lenses }: Pick<MagnifiedProps, "maps" | "bend" | "lenses">): Point[] {
   return useMemo(() => {
     const codes = lenses.map(({ code }) => code);
-    const places = frond.deform(
+    const places = bends().deform(
       { maps },
       bend,
       codes,

@@ -3,7 +3,7 @@ import { bendAt } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
 import { lengthWords } from "#format/verdict";
 import type { Bend } from "#wasm/api";
-import { frond } from "#wasm/core";
+import { bends, loadBends } from "#wasm/bend";
 import { Choice, SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
@@ -41,6 +41,8 @@ const MOMENTS = [
 export const STATE = {
   kb: kept(0, number(0, KE, 1)),
 };
+
+export const needs = [loadBends];
 
 /** The gasket, bent in eight ways at once, and the slide from plain to fractal. */
 export function Page(heading: Heading) {
@@ -175,7 +177,7 @@ export function tears(t: number): { name: string; gap: number }[] {
     const corner = toward === 0 ? [0, 0] : toward === 1 ? [1, 0] : [0, 1];
     const code = [part, ...new Array<number>(KE - 1).fill(toward)];
     const bend: Bend = { ...bendAt(liftOf({ kb: 0, delta }), t), continuity: "corners" };
-    const [x = 0, y = 0] = frond.deform({ maps: GASKET }, bend, [code], [corner as [number, number]]);
+    const [x = 0, y = 0] = bends().deform({ maps: GASKET }, bend, [code], [corner as [number, number]]);
     return [x, y] as const;
   };
   return JOINTS.map(({ parts: [i, j], name }) => {

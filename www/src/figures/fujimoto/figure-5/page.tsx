@@ -3,6 +3,7 @@ import { bendAt } from "#document/deform/bend";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import type { Deformation, Spin } from "#wasm/api";
+import { loadBends } from "#wasm/bend";
 import { Choice } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
@@ -62,6 +63,8 @@ const SPINS = [
 export const STATE = {
   spin: kept<Spin>(SPIN, oneOf(SPINS.map(({ value }) => value))),
 };
+
+export const needs = [loadBends];
 
 /** The fern in the wind. */
 export function Page(heading: Heading) {

@@ -2,6 +2,7 @@ import { useMemo } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
+import { loadBends } from "#wasm/bend";
 import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { Panel } from "../../kit/frame/panel";
@@ -37,6 +38,8 @@ const LENSES: readonly Lens[] = [
   { number: 2, kind: "black", about: "the middle", code: letters("0100000000"), width: 1 },
   { number: 3, kind: "green", about: "the tip at the lower right", code: letters("1111010000"), width: 1 },
 ];
+
+export const needs = [loadBends];
 
 /** The twin-dragon with colours of its own. */
 export function Page(heading: Heading) {

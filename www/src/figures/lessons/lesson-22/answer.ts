@@ -1,7 +1,7 @@
 /** How far a bend is from the plain one, and how its lift is shared out over the levels. */
 import { bendAt } from "#document/deform/bend";
 import type { Bend } from "#wasm/api";
-import { frond } from "#wasm/core";
+import { bends } from "#wasm/bend";
 import { GASKET, KE, liftOf } from "../../fujimoto/deformations/lifted-gasket";
 
 /** The roughness of the lesson, until somebody changes it. */
@@ -31,7 +31,7 @@ export function apartFromPlain(piece: readonly number[], kb: number, delta: numb
   const codes = codesIn(piece);
   const tails = codes.map((): [number, number] => [0, 0]);
   const [bent, plain] = [lifted(kb, delta), lifted(KE, delta)].map((bend) =>
-    frond.deform({ maps: GASKET }, bend, codes, tails),
+    bends().deform({ maps: GASKET }, bend, codes, tails),
   );
   let most = 0;
   for (let i = 0; i < 2 * codes.length; i += 2) {

@@ -1,4 +1,5 @@
 import { fixed } from "#format/numbers";
+import { loadBends } from "#wasm/bend";
 import { bentHref } from "../../fujimoto/deformations/deformations";
 import { GASKET, KE, liftOf } from "../../fujimoto/deformations/lifted-gasket";
 import { SliderControl } from "../../kit/frame/control";
@@ -18,6 +19,8 @@ import { TEACHING } from "./teaching";
 
 type Guess = "rest" | "plain" | "weaker" | "apart";
 const TRUTH: Guess = "plain";
+
+export const needs = [loadBends];
 
 /** The two extremes of a fractal deformation, and the two numbers that lead from one to the other. */
 export function Page(heading: Heading) {

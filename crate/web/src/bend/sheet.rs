@@ -8,8 +8,8 @@ use wasm_bindgen::prelude::*;
 use crate::boundary::bend::{PlainBend, bend_on};
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::photo::read_photo;
+use crate::boundary::picture::PlainView;
 use crate::boundary::value::read;
-use crate::compute::view::PlainView;
 
 /// A photograph on the rectangle [0, width / height] x [0, 1], which a bend can bend: what `Renderer.setPicture` shows,
 /// drawn on the processor.

@@ -1,0 +1,30 @@
+//! Pictures without a canvas, bent or not.
+
+use frond_render::rasterize_bent;
+use js_sys::{Reflect, Uint8ClampedArray};
+use wasm_bindgen::prelude::*;
+
+use crate::boundary::bend::bend_on;
+use crate::boundary::picture::picture;
+use crate::boundary::value::read_ifs;
+
+/// Draws an attractor, complete: RGBA with straight alpha, row 0 on top, on a transparent background. Ready for
+/// `new ImageData(pixels, width, height)`.
+#[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray")]
+pub fn rasterize(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "RasterOptions")] options: JsValue,
+) -> Result<Uint8ClampedArray, JsValue> {
+    let ifs = read_ifs(&ifs)?;
+    match Reflect::get(&options, &"bend".into()).ok().filter(JsValue::is_object) {
+        Some(bend) => {
+            let bend = bend_on(ifs.maps(), &bend)?;
+            picture(options, |options| rasterize_bent(&ifs, &bend, options))
+        }
+        #[cfg(feature = "compute")]
+        None => picture(options, |options| frond_render::rasterize_unbent(&ifs, options)),
+        // What draws at rest is in the other module.
+        #[cfg(not(feature = "compute"))]
+        None => Err(crate::boundary::error::bad_input("The options", "a bend is needed")),
+    }
+}

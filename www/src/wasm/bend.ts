@@ -1,0 +1,42 @@
+import wasmUrl from "../../pkg/frond-bend_bg.wasm?url";
+import type { Ifs, RasterOptions } from "./api";
+import { frond } from "./core";
+import { compiled, once } from "./module";
+
+/** What bends, in a module of its own: a thread has it where something is bent. */
+export type Bends = typeof import("../../pkg/frond-bend.js");
+
+/** A picture on a rectangle, bent without a graphics card. `free()` it. */
+export type SheetHandle = InstanceType<Bends["Sheet"]>;
+
+let here: Bends | null = null;
+
+/** Whether this thread has it. */
+export const bendsReady = (): boolean => here !== null;
+
+/** Fetches and starts it on this thread. */
+export const loadBends = once(() => startBends(compiled(wasmUrl)));
+
+export async function startBends(module: Promise<WebAssembly.Module>): Promise<Bends> {
+  const [bindings, compiled] = await Promise.all([import("../../pkg/frond-bend.js"), module]);
+  await bindings.default({ module_or_path: compiled });
+  here = bindings;
+  return here;
+}
+
+/** For those who come after `loadBends`. */
+export function bends(): Bends {
+  if (!here) throw new Error("What bends is not loaded on this thread.");
+  return here;
+}
+
+/** Draws an attractor; of a bent one, this comes after `loadBends`. */
+export function rasterize(ifs: Ifs, { bend, ...options }: RasterOptions): Uint8ClampedArray {
+  return bend ? bends().rasterize(ifs, { ...options, bend }) : frond.rasterize(ifs, options);
+}
+
+/** The same, with what has to be fetched for it. */
+export async function rasterized(ifs: Ifs, options: RasterOptions): Promise<Uint8ClampedArray> {
+  if (options.bend) await loadBends();
+  return rasterize(ifs, options);
+}
