@@ -91,6 +91,12 @@ pub enum CertifiedLink {
 /// ```
 #[must_use]
 pub fn connected_certificate(ifs: &Ifs, options: &Options) -> Option<ConnectedCertificate> {
+    // Where gaps as wide as epsilon let pieces through, narrower ones may not.
+    let closer = Options { epsilon: CLOSER * options.epsilon, ..*options };
+    [*options, closer].iter().find_map(|options| certified(ifs, options))
+}
+
+fn certified(ifs: &Ifs, options: &Options) -> Option<ConnectedCertificate> {
     let maps = ifs.maps();
     let Some(magnification) = Magnification::of(maps) else {
         return proved(maps, ifs.contraction(), options);
@@ -106,6 +112,8 @@ fn rows(maps: &[Affine2]) -> Vec<[f64; 6]> {
     maps.iter().copied().map(Affine2::to_row).collect()
 }
 
+/// So many times closer it is looked again.
+const CLOSER: f64 = 1e-3;
 /// Pairs of words tried for each two maps.
 const TRIES: usize = 3000;
 /// Pairs of maps that are looked at for points.
@@ -226,7 +234,7 @@ impl ConnectedCertificate {
         }
         self.gap = gap * (1.0 + 1e-9);
         crossings.iter().all(|crossing| {
-            let far = parts.across([&crossing.u, &crossing.v], self.gap);
+            let far = parts.across([&crossing.u, &crossing.v], self.gap, size);
             let words = [crossing.u.clone(), crossing.v.clone()];
             far.map(|far| self.links.push(CertifiedLink::Crossing(words, far))).is_some()
         })
@@ -239,13 +247,15 @@ struct Attempt {
     slack: f64,
     /// The coarsest fan of directions to try, by its number.
     coarsest: usize,
-    /// How wide parts about near points may be, in widths of the polygon.
+    /// How wide parts about near points may be, in widths of the polygon, and those about far points, in widths of
+    /// their pieces.
     size: f64,
 }
 
 /// Few corners of few digits, and short words, first.
-const ATTEMPTS: [Attempt; 3] = [
+const ATTEMPTS: [Attempt; 4] = [
     Attempt { slack: 0.02, coarsest: 0, size: 5e-3 },
     Attempt { slack: 2e-3, coarsest: 1, size: 5e-4 },
     Attempt { slack: 1e-4, coarsest: 2, size: 5e-5 },
+    Attempt { slack: 1e-5, coarsest: 2, size: 2e-6 },
 ];

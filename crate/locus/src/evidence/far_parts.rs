@@ -63,8 +63,8 @@ impl<'a> FarParts<'a> {
     }
 
     /// Parts that show that two pieces lie across each other where no gap is wider than `gap`, in widths of the
-    /// polygon: two of the first, and two of the second.
-    pub fn across(&self, words: [&[u8]; 2], gap: f64) -> Option<[Far; 4]> {
+    /// polygon: two of the first, and two of the second. How far a piece reaches is told to `size` of its width.
+    pub fn across(&self, words: [&[u8]; 2], gap: f64, size: f64) -> Option<[Far; 4]> {
         let maps = words.map(|word| self.map(word));
         // By which piece is beyond the other in each direction: for a run of them, the best.
         let mut turns: Vec<(usize, f64, DVec2)> = Vec::new();
@@ -72,7 +72,7 @@ impl<'a> FarParts<'a> {
             let d = DVec2::from_angle(std::f64::consts::TAU * k as f64 / DIRECTIONS as f64);
             for a in 0..2 {
                 let (own, other) = (maps[a], maps[1 - a]);
-                let by = self.farthest_point(own, d) - self.bar(&other, d, gap);
+                let by = self.farthest_point(own, d, size) - self.bar(&other, d, gap);
                 match turns.last_mut() {
                     _ if by <= 0.0 => {}
                     Some(last) if last.0 == a => {
@@ -109,8 +109,8 @@ impl<'a> FarParts<'a> {
         parts.max_by(|a, b| reach(a).total_cmp(&reach(b))).unwrap_or((0, map))
     }
 
-    fn farthest_point(&self, mut map: Affine2, d: DVec2) -> f64 {
-        let narrow = self.width(&map, d) / 256.0;
+    fn farthest_point(&self, mut map: Affine2, d: DVec2, size: f64) -> f64 {
+        let narrow = size * self.width(&map, d);
         for _ in 0..MOST_LETTERS {
             if self.width(&map, d) < narrow {
                 break;
