@@ -7,3 +7,4 @@ pub(crate) mod double_double;
 pub(crate) mod expansion;
 pub(crate) mod quadratic;
 pub(crate) mod recognise;
+pub(crate) mod residue;

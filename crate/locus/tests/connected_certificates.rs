@@ -1,7 +1,7 @@
 //! Proofs of connectedness are accepted by the checker, and none is made of what is disconnected.
 
 use frond_check::{Address, Link, check_connected};
-use frond_core::{Affine2, Ifs, Morph, MorphOptions};
+use frond_core::{Affine2, Ifs, Morph, MorphOptions, pair};
 use frond_locus::{
     Bounds, CertifiedLink, ConnectedCertificate, LocusGrid, Options, ReasonKind, Scratch, State, Verdict,
     connected_certificate, connectedness,
@@ -48,6 +48,15 @@ fn certified(ifs: &Ifs) -> Option<frond_check::ConnectedCertificate> {
     connected_certificate(ifs, &Options::default()).map(|found| plain(&found))
 }
 
+fn number(link: &Link) -> usize {
+    match link {
+        Link::Point { .. } => 0,
+        Link::Area { .. } => 1,
+        Link::Crossing { .. } => 2,
+        Link::Difference { .. } => 3,
+    }
+}
+
 #[test]
 fn shapes_that_are_proved_have_certificates() {
     let mut kinds = [0; 4];
@@ -59,12 +68,7 @@ fn shapes_that_are_proved_have_certificates() {
         let Some(found) = found else { continue };
         assert!(check_connected(&found).is_ok(), "{}: {:?}", preset.id, check_connected(&found));
         for link in &found.links {
-            kinds[match link {
-                Link::Point { .. } => 0,
-                Link::Area { .. } => 1,
-                Link::Crossing { .. } => 2,
-                Link::Difference { .. } => 3,
-            }] += 1;
+            kinds[number(link)] += 1;
         }
     }
     // Points are looked for first; but where numbers are any, none are shared.
@@ -76,24 +80,50 @@ fn shapes_that_are_proved_have_certificates() {
     assert!(kinds[0] > 5 && kinds[2] > 5, "{kinds:?}");
 }
 
-/// What is proved of the samples of a locus can be handed on.
-#[test]
-fn samples_that_are_proved_have_certificates() {
-    let (from, to) = (shape("dragon-3"), shape("gasket"));
-    let morph = Morph::new(from.maps(), to.maps(), &MorphOptions::default()).unwrap();
-    let (side, epsilon) = (32, 1.0 / 600.0);
+/// Samples of a locus that are proved; every so many of them.
+fn proved_samples([from, to]: [&str; 2], side: usize, every: usize) -> Vec<Ifs> {
+    let paired = pair(&shape(from), &shape(to));
+    let morph = Morph::new(&paired.from, &paired.to, &MorphOptions::default()).unwrap();
+    let epsilon = 1.0 / 600.0;
+    // A side of 3 k + 1 samples has rows on which all maps are those of one end but for their places.
     let grid = LocusGrid::new(Bounds::default(), side, side).unwrap();
     let scratch = &mut Scratch::default();
     let mut state = grid.patch(&morph, epsilon, 0..side, 0..side, scratch).state;
     grid.prove(&morph, epsilon, 0..side, 0..side, &mut state, scratch);
-    let proved: Vec<usize> = (0..state.len()).filter(|&k| state[k] == State::Connected as u8).collect();
-    assert!(proved.len() > 200, "{}", proved.len());
+    let proved = (0..state.len()).filter(|&k| state[k] == State::Connected as u8);
     let mut maps = Vec::new();
-    for &k in proved.iter().step_by(proved.len() / cases(40) as usize) {
+    let ifs = |k: usize| {
         morph.fill(grid.u(k % side), grid.v(k / side), &mut maps);
-        let found = certified(&Ifs::new(maps.clone()).unwrap()).unwrap_or_else(|| panic!("sample {k}"));
-        assert!(check_connected(&found).is_ok(), "sample {k}: {:?}", check_connected(&found));
+        Ifs::new(maps.clone()).unwrap()
+    };
+    proved.step_by(every).map(ifs).collect()
+}
+
+/// What is proved of the samples of loci can be handed on, and the checker agrees.
+#[test]
+fn samples_that_are_proved_have_certificates() {
+    let mut kinds = [0; 4];
+    for (names, side, every) in [
+        (["dragon-3", "gasket"], 31, 7),
+        (["gasket", "spiral"], 31, 5),
+        (["dragon", "dragon-3"], 31, 21),
+        (["gosper", "twigs"], 22, 31),
+        (["twindragon", "hexaflake"], 22, 17),
+        (["vicsek", "tree"], 22, 31),
+    ] {
+        let proved = proved_samples(names, side, every);
+        assert!(proved.len() > 4, "{names:?}: {}", proved.len());
+        for (k, ifs) in proved.iter().enumerate() {
+            let found = certified(ifs).unwrap_or_else(|| panic!("{names:?}, sample {k}: {:?}", ifs.maps()));
+            let checked = check_connected(&found);
+            assert!(checked.is_ok(), "{names:?}, sample {k}: {checked:?}");
+            for link in &found.links {
+                kinds[number(link)] += 1;
+            }
+        }
     }
+    println!("points, areas, crossings, differences: {kinds:?}");
+    assert!(kinds[0] > 20 && kinds[2] > 20, "{kinds:?}");
 }
 
 /// Copies of one shape and direction never cross: their steps are shown to be differences of its points.

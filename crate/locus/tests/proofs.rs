@@ -97,6 +97,29 @@ fn no_proof_contradicts_what_a_sample_is_on_its_own() {
     assert!(new.into_iter().chain(refused).all(|count| count > 20), "{new:?} proved, {refused:?} refused");
 }
 
+/// Three halves touch in the middles of a triangle's sides, wherever its corners are; what is less by the last digit
+/// does not.
+#[test]
+fn points_that_pieces_share_are_told_from_points_that_nearly_coincide() {
+    let grid = LocusGrid::new(Bounds::default(), 31, 31).unwrap();
+    let still = |k: usize| (grid.u(k % 31) == 0.0).then_some(k);
+    for (scale, is_shared) in [(0.5, true), (0.5_f64.next_down(), false)] {
+        let corner = |k: u32, turn: f64, scale: f64| {
+            let place = DVec2::new(unit(8, 2 * k), unit(8, 2 * k + 1)) * 2.0 - turn;
+            Affine2::new(DMat2::from_angle(turn) * scale, place)
+        };
+        let [from, to] =
+            [(0.0, scale), (1.2, 0.6)].map(|(turn, scale)| [0, 1, 2].map(|k| corner(k, turn, scale)));
+        let morph = Morph::new(&from, &to, &MorphOptions::default()).unwrap();
+        let [before, after] = proved(&grid, &morph, 1.0 / 600.0);
+        let column: Vec<usize> =
+            (0..after.len()).filter_map(still).filter(|&k| before[k] == TOUCHING).collect();
+        let count = column.iter().filter(|&&k| after[k] == CONNECTED).count();
+        assert!(column.len() > 20, "{}", column.len());
+        assert_eq!(count, if is_shared { column.len() } else { 0 }, "of {} at {scale}", column.len());
+    }
+}
+
 #[test]
 fn states_that_say_too_much_are_not_believed() {
     let grid = LocusGrid::new(Bounds::default(), 24, 24).unwrap();

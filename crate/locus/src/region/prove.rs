@@ -10,22 +10,20 @@ use frond_core::Affine2;
 use glam::DVec2;
 
 use crate::decide::{Scratch, decide};
+use crate::exact::address::Address;
 use crate::family::Family;
 use crate::gap::difference_set::are_equal;
 use crate::grid::LocusGrid;
-use crate::region::descent::{Couple, Descent};
+use crate::region::contacts::{Contact, Contacts};
+use crate::region::descent::Descent;
 use crate::region::extent::Extent;
 use crate::region::inner_differences::InnerDifferences;
-use crate::region::trap::reaching;
+use crate::region::joining::{Candidates, Words};
 use crate::verdict::State;
 
-/// Pairs of words tried at most for each two maps of a sample.
-const TRIES: usize = 600;
-/// Looks after which a sample is let be.
-const MOST_LOOKS: usize = 60_000;
 /// Looks in vain after which no sample of a rectangle is searched any more, for each that it has to.
 const LOOKS_IN_VAIN: usize = 5000;
-/// Of so many rows and columns one is searched though nothing is proved beside it.
+/// What lies so many rows or columns from all that was seen to is searched though nothing is proved beside it.
 const SEEDS: usize = 4;
 /// Where the proofs lie that are tried, from a sample in the order of rows: those before it, the nearest first.
 const BESIDE: [[isize; 2]; 12] = [
@@ -43,14 +41,28 @@ const BESIDE: [[isize; 2]; 12] = [
     [-3, 0],
 ];
 
-/// Words of two pieces that cross.
-type Words = [Box<[u8]>; 2];
+/// Where crossings are searched, the gap is bounded so many times closer.
+const CLOSER: f64 = 1e-3;
+
+/// What holds two pieces of a sample together, and may do so in the next.
+#[derive(Clone, Debug, PartialEq)]
+enum Held {
+    Crossing(Words),
+    Point(Contact),
+}
+
+/// One sample.
+struct Asked<'a> {
+    maps: &'a [Affine2],
+    epsilon: f64,
+    scratch: &'a mut Scratch,
+}
 
 impl LocusGrid {
     /// Looks for proofs for those samples of a rectangle that are [`State::Touching`]: `state` holds the states of
     /// [`LocusGrid::patch`], or of [`LocusGrid::tile`], for the same epsilon and rectangle, and is
-    /// [`State::Connected`] afterwards where pieces were found to cross (see [`crossings`](crate::crossings)), or to
-    /// differ by what surely are differences. Returns for how many samples that is new.
+    /// [`State::Connected`] afterwards where pieces were found to cross (see [`crossings`](crate::crossings)), to
+    /// differ by what surely are differences, or to share points exactly. Returns for how many samples that is new.
     ///
     /// What it says is proved whatever `state` held before. It takes some 50 microseconds a sample, and depends
     /// on the rectangle: in another one neighbours may be missing that would have helped.
@@ -75,6 +87,7 @@ impl LocusGrid {
         let mut prover = Prover {
             width,
             found: vec![None; state.len()],
+            seen: vec![false; state.len()],
             searched: vec![false; state.len()],
             looks_left: touching.len() * LOOKS_IN_VAIN,
             ..Prover::default()
@@ -88,6 +101,7 @@ impl LocusGrid {
             if state[k] != State::Touching as u8 || beside.is_empty() && !(down && prover.is_seed(k)) {
                 continue;
             }
+            prover.seen[k] = true;
             let at = DVec2::new(self.u(x.start + k % width), self.v(y.start + k / width));
             family.fill(at.x, at.y, &mut maps);
             // The bound of the gap has to be known here, not believed.
@@ -95,7 +109,9 @@ impl LocusGrid {
                 continue;
             }
             let extent = Extent { middle: at, half: DVec2::ZERO };
-            if prover.begin(family, extent, epsilon, scratch) && prover.prove(k, &beside, &maps) {
+            if prover.begin(family, extent, epsilon, scratch)
+                && prover.prove(k, &beside, Asked { maps: &maps, epsilon, scratch })
+            {
                 state[k] = State::Connected as u8;
                 count += 1;
             }
@@ -108,15 +124,20 @@ impl LocusGrid {
 struct Prover {
     descent: Descent<1>,
     differences: InnerDifferences,
+    contacts: Contacts,
+    candidates: Candidates,
     /// Samples in a row.
     width: usize,
     /// What each sample was proved by.
     found: Vec<Option<usize>>,
-    proofs: Vec<Vec<Words>>,
+    proofs: Vec<Vec<Held>>,
+    seen: Vec<bool>,
     searched: Vec<bool>,
     looks_left: usize,
     /// An upper bound of the widest gap, in the descent's units.
     gap: f64,
+    /// How large the attractor may be in these units.
+    size: f64,
 }
 
 impl Prover {
@@ -130,12 +151,23 @@ impl Prover {
         // Lengths of the plane are as many times those here as one way tells, and the other way back. What rounding
         // adds to distances is far below the last term.
         let stretch = from_round.norm() * to_round.norm();
-        self.gap = (1.01 * epsilon + 1e-8) * self.descent.diameter().1 * stretch;
+        self.size = self.descent.diameter().1 * stretch;
+        self.bound_gap(epsilon);
         self.gap.is_finite()
     }
 
+    /// Takes the widest gap to be no more than `epsilon` of the diameter.
+    fn bound_gap(&mut self, epsilon: f64) {
+        self.gap = (1.01 * epsilon + 1e-8) * self.size;
+    }
+
+    /// Whether no sample near it that comes before was seen to, and there is time to search it.
     fn is_seed(&self, k: usize) -> bool {
-        (k / self.width).is_multiple_of(SEEDS) && (k % self.width).is_multiple_of(SEEDS)
+        let (row, column) = (k / self.width, k % self.width);
+        let columns = column.saturating_sub(SEEDS - 1)..(column + SEEDS).min(self.width);
+        let mut before = (row.saturating_sub(SEEDS - 1)..=row)
+            .flat_map(|row| columns.clone().map(move |column| row * self.width + column));
+        self.looks_left > 0 && !before.any(|before| self.seen[before])
     }
 
     /// The proofs of samples near one, each once: of those before it, or after.
@@ -153,42 +185,94 @@ impl Prover {
     }
 
     /// Proves sample `k`, if it can, by the help of such proofs.
-    fn prove(&mut self, k: usize, beside: &[usize], maps: &[Affine2]) -> bool {
+    fn prove(&mut self, k: usize, beside: &[usize], mut asked: Asked<'_>) -> bool {
         self.descent.join_filled();
-        let mut words = Vec::new();
-        if are_equal(maps) {
-            if !self.differ(maps) {
-                return false;
-            }
-        } else if !self.cross(k, beside, &mut words) {
+        self.contacts.begin(asked.maps);
+        let mut held = Vec::new();
+        let equal = are_equal(asked.maps);
+        let is_proved = self.holds_still(beside, asked.maps, &mut held)
+            || equal && self.differ(asked.maps)
+            || self.search(k, beside, &mut asked, &mut held);
+        if !is_proved {
             return false;
         }
-        let same = beside.iter().copied().find(|&proof| self.proofs[proof] == words);
+        let same = beside.iter().copied().find(|&proof| self.proofs[proof] == held);
         self.found[k] = Some(same.unwrap_or_else(|| {
-            self.proofs.push(words);
+            self.proofs.push(held);
             self.proofs.len() - 1
         }));
         true
     }
 
-    fn cross(&mut self, k: usize, beside: &[usize], words: &mut Vec<Words>) -> bool {
-        for pair in beside.iter().flat_map(|&proof| &self.proofs[proof]) {
-            if self.descent.cross_again(pair, self.gap) {
-                words.push(pair.clone());
+    /// Joins what holds together as it does in other systems; whether that is all.
+    fn holds_still(&mut self, beside: &[usize], maps: &[Affine2], held: &mut Vec<Held>) -> bool {
+        let Self { descent, contacts, proofs, gap, .. } = self;
+        for one in beside.iter().flat_map(|&proof| &proofs[proof]) {
+            let holds = match one {
+                Held::Crossing(words) => descent.cross_again(words, *gap),
+                Held::Point(contact) => {
+                    let [i, j] = contact.each_ref().map(Address::first);
+                    let lanes = &descent.lanes.maps;
+                    !descent.components.joined(i, j)
+                        && contacts.hold(maps, |k| lanes[usize::from(k)][0], contact)
+                        && descent.components.join(i, j)
+                }
+            };
+            if holds {
+                held.push(one.clone());
             }
         }
-        if self.descent.is_whole() {
-            return true;
-        }
+        descent.is_whole()
+    }
+
+    /// Looks for more that holds the sample together.
+    fn search(&mut self, k: usize, beside: &[usize], asked: &mut Asked<'_>, held: &mut Vec<Held>) -> bool {
         if self.looks_left == 0 || self.searched[k] {
             return false;
         }
         self.searched[k] = true;
-        let crossed = self.descent.cross_the_rest(self.gap, words);
-        if !crossed {
-            self.looks_left = self.looks_left.saturating_sub(self.descent.nodes);
+        let before = self.descent.nodes;
+        let joined = held.len();
+        let points = self.share_points(asked.maps, held);
+        let is_proved = self.descent.is_whole()
+            || if are_equal(asked.maps) {
+                held.len() > joined && self.differ(asked.maps)
+            } else {
+                self.cross(beside, asked, held)
+            };
+        if !is_proved {
+            self.looks_left = self.looks_left.saturating_sub(self.descent.nodes - before + points);
         }
-        crossed
+        is_proved
+    }
+
+    /// Joins pieces that share points. Returns how many points were looked at.
+    fn share_points(&mut self, maps: &[Affine2], held: &mut Vec<Held>) -> usize {
+        let Self { descent, contacts, .. } = self;
+        let lanes = &descent.lanes.maps;
+        let mut found = Vec::new();
+        let looks = contacts.join(maps, |k| lanes[usize::from(k)][0], &mut descent.components, &mut found);
+        held.extend(found.into_iter().map(Held::Point));
+        looks
+    }
+
+    fn cross(&mut self, beside: &[usize], asked: &mut Asked<'_>, held: &mut Vec<Held>) -> bool {
+        // The narrower the gaps, the less a piece has to reach beyond another one.
+        let Asked { maps, epsilon, scratch } = asked;
+        let closer = CLOSER * *epsilon;
+        match decide(maps, closer, LocusGrid::budget(maps.len()), scratch).state {
+            State::Touching | State::Connected => self.bound_gap(closer),
+            State::Undecided => {}
+            State::Disconnected | State::NoAttractor => return false,
+        }
+        if self.holds_still(beside, maps, held) {
+            return true;
+        }
+        self.candidates.begin(&mut self.descent);
+        let mut words = Vec::new();
+        let is_whole = self.candidates.cross(&mut self.descent, self.gap, &mut words);
+        held.extend(words.into_iter().map(Held::Crossing));
+        is_whole
     }
 
     /// For copies of one shape and direction, which do not cross.
@@ -204,79 +288,6 @@ impl Prover {
             }
         }
         self.descent.is_whole()
-    }
-}
-
-impl Descent<1> {
-    /// Forgets which attractorlets are joined, but for those whose areas leave no room between them.
-    fn join_filled(&mut self) {
-        self.reset();
-        for i in 0..self.count {
-            for j in i + 1..self.count {
-                if self.lanes.areas[i] + self.lanes.areas[j] > 1.0 {
-                    self.components.join(i, j);
-                }
-            }
-        }
-    }
-
-    fn is_whole(&self) -> bool {
-        self.components.count() == 1
-    }
-
-    /// How wide and how high the attractor is in the plane.
-    fn size(&self) -> DVec2 {
-        let turned = self.lanes.from_round.transpose();
-        let reach = |d: DVec2| self.fan.support(turned * d, 0).0;
-        let width = |d: DVec2| reach(d) + reach(-d);
-        DVec2::new(width(DVec2::X), width(DVec2::Y))
-    }
-
-    /// Whether two pieces that crossed in another system do so in this one, and join what was not yet.
-    fn cross_again(&mut self, [u, v]: &Words, gap: f64) -> bool {
-        let (i, j) = (usize::from(u[0]), usize::from(v[0]));
-        if self.components.joined(i, j) {
-            return false;
-        }
-        let [u, v] = [u, v].map(|word| self.piece(word));
-        self.corners(u, v, gap).is_some() && self.components.join(i, j)
-    }
-
-    /// The piece of a word.
-    fn piece(&mut self, word: &[u8]) -> u32 {
-        let first = u32::from(word[0]);
-        word[1..].iter().fold(first, |piece, &letter| self.parts_of(piece).start + u32::from(letter))
-    }
-
-    /// Looks for crossings that join what is not joined yet, and adds their words to those found.
-    fn cross_the_rest(&mut self, gap: f64, found: &mut Vec<Words>) -> bool {
-        let mut pairs = Vec::new();
-        for i in 0..self.count {
-            for j in i + 1..self.count {
-                let overlap = reaching(&self.look(i as u32, j as u32));
-                if overlap < 1.0 {
-                    pairs.push(Couple { overlap, u: i as u32, v: j as u32, i: i as u8, j: j as u8 });
-                }
-            }
-        }
-        pairs.sort_unstable_by(|a, b| a.overlap.total_cmp(&b.overlap));
-        for pair in pairs {
-            let (i, j) = (usize::from(pair.i), usize::from(pair.j));
-            if self.components.joined(i, j) {
-                continue;
-            }
-            if self.nodes > MOST_LOOKS {
-                return false;
-            }
-            if let Some((couple, _)) = self.crossing_of(pair, gap, TRIES) {
-                found.push([couple.u, couple.v].map(|piece| self.word(piece).into()));
-                self.components.join(i, j);
-                if self.is_whole() {
-                    return true;
-                }
-            }
-        }
-        false
     }
 }
 
