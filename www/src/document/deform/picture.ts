@@ -1,18 +1,9 @@
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
-import { inBox } from "#geometry/mesh";
 import type { MapRow } from "#wasm/api";
 import { notify } from "../notice";
-import { openTool, tool } from "../tool";
-import { boxAround, changeDeformation, deformation } from "./bend";
-import {
-  aspect,
-  haveSample,
-  mapsOfRectangle,
-  ownPicture,
-  type Photograph,
-  photograph,
-  showPicture,
-} from "./photograph";
+import { tool } from "../tool";
+import { deformation } from "./bend";
+import { aspect, haveSample, mapsOfRectangle, ownPicture, type Photograph, photograph } from "./photograph";
 
 export { aspect, ownPicture, type Photograph, photograph, showPicture } from "./photograph";
 
@@ -31,14 +22,6 @@ export const pictureShown: ReadonlySignal<Photograph | null> = computed(() =>
 export const pictureMaps: ReadonlySignal<MapRow[]> = computed(() =>
   mapsOfRectangle(aspect.value, parts.value),
 );
-
-/** Takes a picture under the grid, which lies around it: one undo step, then the tool. */
-export function bendPicture(picture: Photograph): void {
-  showPicture(picture);
-  const box = boxAround(pictureMaps.peek());
-  changeDeformation((now) => inBox({ ...now, on: true, subject: "picture" }, box));
-  openTool("deform");
-}
 
 /**
  * Sees to it that there is a sample when one is wanted, and says where the picture of a link is. Returns the end of it.

@@ -2,7 +2,7 @@
 import { effect, signal, untracked } from "@preact/signals";
 import { cutOut } from "#document/curve/cut-out";
 import { holdPhotograph, takenCurve } from "#document/curve/photographs";
-import { bendPicture } from "#document/deform/picture";
+import { bendPicture } from "#document/deform/bend-picture";
 import { useCurve as takeCurve, type Use } from "#document/fit";
 import type { KeptPhotograph } from "#document/kept/fits";
 import { notify, wordsOf } from "#document/notice";
