@@ -42,6 +42,11 @@ test("a link leads to a slide, and says so where it was copied", async ({ page }
   await expect(bar).toContainText("3 of 5 What do you think?");
   await page.keyboard.press("PageUp");
   await expect(bar).toContainText("2 of 5");
+  // On paper it is the whole lesson all the same.
+  await page.emulateMedia({ media: "print" });
+  await expect(bar).toBeHidden();
+  await expect(page.getByText("Exercise 2", { exact: true })).toBeVisible();
+  await page.emulateMedia({ media: "screen" });
   await bar.getByRole("button", { name: "Link" }).click();
   await expect(bar).toContainText("Link copied");
   expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/#learn\/e6\/slide=2$/);
@@ -84,6 +89,12 @@ test("a sheet goes to a class, and its answers come back as a table", async ({ p
   await expect(page.getByRole("heading", { level: 1, name: "Class 9b" })).toBeVisible();
   await expectClean(page);
   const save = page.getByRole("button", { name: "Save my answers" });
+  // On paper it leads to itself, and has no buttons.
+  await expect(page.getByRole("img", { name: "QR code of the link" })).toBeHidden();
+  await page.emulateMedia({ media: "print" });
+  await expect(page.getByRole("img", { name: "QR code of the link" })).toBeVisible();
+  await expect(save).toBeHidden();
+  await page.emulateMedia({ media: "screen" });
   await expect(save).toBeDisabled();
   await page.getByLabel("Your name").fill("Ana");
   await page.getByLabel(/What did you find\? .*Two pieces/).fill("They part below 0.4");

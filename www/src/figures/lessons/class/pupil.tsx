@@ -1,13 +1,15 @@
-import { useContext, useState } from "preact/hooks";
+import { useContext, useEffect, useState } from "preact/hooks";
 import { Button } from "#ui/controls/Button";
 import { Icon } from "#ui/controls/Icon";
 import { download, plainName } from "#ui/files/download";
+import { QrCode } from "#ui/overlay/QrCode";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
 import { Page } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
 import { done } from "../frame/done";
 import { guessOf } from "../frame/guesses";
+import { printHandouts } from "../frame/paper";
 import { type Answer, MOST_WORDS, written } from "./answers";
 import css from "./class.module.css";
 import { keep, keptOf } from "./kept";
@@ -18,9 +20,10 @@ import { sheetIn } from "./sheet";
 export function Pupil() {
   const { state } = useContext(Page);
   const found = sheetIn(state);
+  useEffect(printHandouts, []);
   return (
-    <div class={css["page"]}>
-      <p>
+    <div class={`${css["page"]} ${css["sheet"]}`}>
+      <p class={css["screen"]}>
         <a href="#learn">All lessons</a>
       </p>
       {found ? (
@@ -72,8 +75,11 @@ function Filled({ sheet, whole, state }: FilledProps) {
   };
   return (
     <>
+      <div class={css["paper-code"]}>
+        <QrCode address={location.href} />
+      </div>
       <h1 tabIndex={-1}>{sheet.title || "Class sheet"}</h1>
-      <p class={frameCss["figure-lead"]}>
+      <p class={`${frameCss["figure-lead"]} ${css["screen"]}`}>
         Work through these in any order. What you do, guess and write stays in this browser; nobody sees it
         until you save it as a file and hand it in.
       </p>
@@ -142,7 +148,7 @@ function Filled({ sheet, whole, state }: FilledProps) {
           );
         })}
       </ol>
-      <div class={layout["buttons"]}>
+      <div class={`${layout["buttons"]} ${css["screen"]}`}>
         <Button kind="primary" icon="save" disabled={mine.name.trim() === ""} onClick={save}>
           Save my answers
         </Button>
