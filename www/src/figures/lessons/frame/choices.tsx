@@ -20,7 +20,13 @@ export interface ChoicesProps<T extends string> {
   truth: T | null;
 }
 
-const LONGEST = "your guess, this is it";
+const LONGEST = "your guess";
+
+/** What is said beside an option once the truth is shown. */
+function markOf(guessed: boolean, so: boolean): string {
+  if (so) return guessed ? "you saw it" : "this is it";
+  return guessed ? "your guess" : "";
+}
 
 /** A question with a few answers, one to a line. What was guessed and what is so are marked in words. */
 export function Choices<T extends string>({ ask, options, prediction, truth }: ChoicesProps<T>) {
@@ -31,9 +37,6 @@ export function Choices<T extends string>({ ask, options, prediction, truth }: C
       <legend>{ask}</legend>
       {options.map(({ value, label }) => {
         const so = shown && value === truth;
-        const marks = [value === guess ? "your guess" : "", so ? "this is it" : ""]
-          .filter(Boolean)
-          .join(", ");
         return (
           <label key={value} class={`${css["option"]} ${so ? css["so"] : ""}`}>
             <input
@@ -47,7 +50,7 @@ export function Choices<T extends string>({ ask, options, prediction, truth }: C
             <span>{label}</span>
             {/* Its room is kept, so that nothing moves when it comes. */}
             <span class={css["option-mark"]} aria-hidden={!shown} data-kept={shown ? undefined : ""}>
-              {shown ? marks : LONGEST}
+              {shown ? markOf(value === guess, so) : LONGEST}
             </span>
           </label>
         );
