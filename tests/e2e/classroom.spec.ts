@@ -46,7 +46,7 @@ test("a link leads to a slide, and says so where it was copied", async ({ page }
   await page.emulateMedia({ media: "print" });
   await expect(bar).toBeHidden();
   await expect(page.getByText("Exercise 2", { exact: true })).toBeVisible();
-  await page.emulateMedia({ media: "screen" });
+  await page.emulateMedia({ media: null });
   await bar.getByRole("button", { name: "Link" }).click();
   await expect(bar).toContainText("Link copied");
   expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/#learn\/e6\/slide=2$/);
@@ -70,7 +70,7 @@ test("a handout asks and does not tell, and has its answers on a page of their o
     const pdf = (await page.pdf({ format })).toString("latin1");
     expect(pdf.match(/\/Type \/Page\b/g)?.length, format).toBeGreaterThan(1);
   }
-  await page.emulateMedia({ media: "screen" });
+  await page.emulateMedia({ media: null });
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
   await expect(page.getByTestId("truth")).toBeVisible();
   await expect(page.getByText("Solutions of the exercises")).toBeHidden();
@@ -94,7 +94,7 @@ test("a sheet goes to a class, and its answers come back as a table", async ({ p
   await page.emulateMedia({ media: "print" });
   await expect(page.getByRole("img", { name: "QR code of the link" })).toBeVisible();
   await expect(save).toBeHidden();
-  await page.emulateMedia({ media: "screen" });
+  await page.emulateMedia({ media: null });
   await expect(save).toBeDisabled();
   await page.getByLabel("Your name").fill("Ana");
   await page.getByLabel(/What did you find\? .*Two pieces/).fill("They part below 0.4");

@@ -81,7 +81,7 @@ async function expectHandout(page: Page): Promise<void> {
     const pdf = (await page.pdf({ format })).toString("latin1");
     expect(pdf.match(/\/Type \/Page\b/g)?.length, format).toBe(3);
   }
-  await page.emulateMedia({ media: "screen" });
+  await page.emulateMedia({ media: null });
 }
 
 /** How far down the page an element begins. */

@@ -234,5 +234,5 @@ test("a lesson is printed to its end, and the page around it is not", async ({ p
   expect(pdf.match(/\/Type \/Page\b/g)?.length).toBeGreaterThan(1);
   await page.emulateMedia({ media: "print" });
   await expect(page.getByRole("banner")).toBeHidden();
-  await page.emulateMedia({ media: "screen" });
+  await page.emulateMedia({ media: null });
 });
