@@ -17,9 +17,9 @@ import { Iterates, type Start } from "../../kit/picture/iterates";
 import { oneOf, whole } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { usePlay } from "../../kit/time/play";
-import { Choices, Reply } from "../frame/choices";
+import { ChoiceQuestion } from "../frame/choice-question";
 import { Exercise } from "../frame/exercise";
-import { Lesson, Question, Truth } from "../frame/lesson";
+import { Lesson } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, useChoice } from "../frame/prediction";
 import css from "./page.module.css";
@@ -221,31 +221,21 @@ const OPTIONS = [
 
 function Difference({ prediction }: { prediction: Prediction<Left> }) {
   return (
-    <Question
+    <ChoiceQuestion<Left>
       prediction={prediction}
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="hardly" />
-          <Truth line={`After eight steps ${2 ** MOST} times less than at the start.`}>
-            <p>
-              Take the point of one figure that is farthest from the other: so far apart the two are. A step
-              halves all distances, so afterwards they are at most half as far apart, after{" "}
-              <Formula>n</Formula> steps at most <Formula tex={tex`1 / 2^n`} /> of it. Whatever one starts
-              from, all come to the same shape. It belongs to the maps alone, and is the only one that a step
-              leaves as it is.
-            </p>
-          </Truth>
-        </>
-      }
+      ask="Somebody starts from a big square, somebody else from a tiny dot. After eight steps, how much is left of the difference?"
+      options={OPTIONS}
+      truth="hardly"
       after={<Beside />}
+      line={`After eight steps ${2 ** MOST} times less than at the start.`}
     >
-      <Choices<Left>
-        ask="Somebody starts from a big square, somebody else from a tiny dot. After eight steps, how much is left of the difference?"
-        options={OPTIONS}
-        prediction={prediction}
-        truth="hardly"
-      />
-    </Question>
+      <p>
+        Take the point of one figure that is farthest from the other: so far apart the two are. A step halves
+        all distances, so afterwards they are at most half as far apart, after <Formula>n</Formula> steps at
+        most <Formula tex={tex`1 / 2^n`} /> of it. Whatever one starts from, all come to the same shape. It
+        belongs to the maps alone, and is the only one that a step leaves as it is.
+      </p>
+    </ChoiceQuestion>
   );
 }
 

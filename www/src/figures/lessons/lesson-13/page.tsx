@@ -12,9 +12,9 @@ import { Drawn } from "../../kit/picture/annotated";
 import { Picture } from "../../kit/picture/picture";
 import { flag, list, number, text } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
-import { Choices, Reply } from "../frame/choices";
+import { ChoiceQuestion } from "../frame/choice-question";
 import { Exercise } from "../frame/exercise";
-import { Lesson, Question, Truth } from "../frame/lesson";
+import { Lesson } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, useChoice } from "../frame/prediction";
 import { chosen, lean, leaning, PARTS } from "./maps";
@@ -161,8 +161,11 @@ function Stem({ fern, prediction }: FernProps & { prediction: Prediction<Lost> }
   const bare = useMemo(() => fern.slice(1), [fern]);
   const box = useFrame(fern);
   return (
-    <Question
+    <ChoiceQuestion<Lost>
       prediction={prediction}
+      ask="Map 1 makes the stem: the whole fern, pressed into a short line at the bottom. What does the fern lose when it is left out?"
+      options={OPTIONS}
+      truth="all"
       beside={
         <Picture
           maps={shown ? bare : fern}
@@ -170,26 +173,13 @@ function Stem({ fern, prediction }: FernProps & { prediction: Prediction<Lost> }
           label={shown ? "The fern without its first map: no stem anywhere." : "Barnsley’s fern."}
         />
       }
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="all" />
-          <Truth line="All stems are gone, down to the smallest.">
-            <p>
-              The shape is made of its copies, and each copy of copies in turn. What a map does in the whole
-              it does in every leaf, in every leaflet, and so on without end. One map is one feature at all
-              sizes.
-            </p>
-          </Truth>
-        </>
-      }
+      line="All stems are gone, down to the smallest."
     >
-      <Choices<Lost>
-        ask="Map 1 makes the stem: the whole fern, pressed into a short line at the bottom. What does the fern lose when it is left out?"
-        options={OPTIONS}
-        prediction={prediction}
-        truth="all"
-      />
-    </Question>
+      <p>
+        The shape is made of its copies, and each copy of copies in turn. What a map does in the whole it does
+        in every leaf, in every leaflet, and so on without end. One map is one feature at all sizes.
+      </p>
+    </ChoiceQuestion>
   );
 }
 

@@ -11,8 +11,8 @@ import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
 import { number } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
-import { Choices, Reply } from "../frame/choices";
-import { Lesson, Question, Truth } from "../frame/lesson";
+import { ChoiceQuestion } from "../frame/choice-question";
+import { Lesson } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, useChoice } from "../frame/prediction";
 import { Exercises } from "./exercises";
@@ -133,8 +133,11 @@ function Pushed({ prediction }: { prediction: Prediction<Fate> }) {
   const { shown } = prediction;
   const points = useMemo(() => orbit(repeated(PUSH, shown ? PUSH_STEPS : 1), UP), [shown]);
   return (
-    <Question
+    <ChoiceQuestion<Fate>
       prediction={prediction}
+      ask="This map takes 0.6 of what is across and of what is up, and then pushes to the side by 1.5 times what was up. In one step the point comes 1.62 times as far from the middle. What becomes of it in the long run?"
+      options={OPTIONS}
+      truth="home"
       beside={
         <Track
           points={points}
@@ -147,41 +150,27 @@ function Pushed({ prediction }: { prediction: Prediction<Fate> }) {
           }
         />
       }
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="home" />
-          <Truth line="Away for two steps, to 1.84 times as far, and then into the middle.">
-            <p>
-              After <Formula>n</Formula> steps the point is at{" "}
-              <Formula tex={tex`(1.5\, n \cdot 0.6^{n-1},\ 0.6^n)`} />. The push adds up like{" "}
-              <Formula>n</Formula>, but <Formula tex={tex`0.6^n`} /> becomes small faster than{" "}
-              <Formula>n</Formula> grows.
-            </p>
-            <p>
-              A map <em>shrinks</em> if it makes every distance at most <Formula>s</Formula> times as long,
-              for one <Formula>s</Formula> below 1. By the usual ruler this one does not. But count what is
-              across plus {WEIGHT} times what is up: by that ruler each step leaves at most 0.9 of any
-              distance. A ruler of one’s own is allowed, and so Hutchinson’s theorem (1981) holds for this
-              map, too.
-            </p>
-            <p>
-              Several maps need one ruler by which all of them shrink. For linear maps there is one exactly
-              when their <em>joint spectral radius</em> is below 1 (Rota and Strang 1960). That is the number
-              to which the <Formula>n</Formula>-th root of the most by which any product of{" "}
-              <Formula>n</Formula> of them lengthens tends as <Formula>n</Formula> grows.
-            </p>
-          </Truth>
-        </>
-      }
       after={<TwoRulers />}
+      line="Away for two steps, to 1.84 times as far, and then into the middle."
     >
-      <Choices<Fate>
-        ask="This map takes 0.6 of what is across and of what is up, and then pushes to the side by 1.5 times what was up. In one step the point comes 1.62 times as far from the middle. What becomes of it in the long run?"
-        options={OPTIONS}
-        prediction={prediction}
-        truth="home"
-      />
-    </Question>
+      <p>
+        After <Formula>n</Formula> steps the point is at{" "}
+        <Formula tex={tex`(1.5\, n \cdot 0.6^{n-1},\ 0.6^n)`} />. The push adds up like <Formula>n</Formula>,
+        but <Formula tex={tex`0.6^n`} /> becomes small faster than <Formula>n</Formula> grows.
+      </p>
+      <p>
+        A map <em>shrinks</em> if it makes every distance at most <Formula>s</Formula> times as long, for one{" "}
+        <Formula>s</Formula> below 1. By the usual ruler this one does not. But count what is across plus{" "}
+        {WEIGHT} times what is up: by that ruler each step leaves at most 0.9 of any distance. A ruler of
+        one’s own is allowed, and so Hutchinson’s theorem (1981) holds for this map, too.
+      </p>
+      <p>
+        Several maps need one ruler by which all of them shrink. For linear maps there is one exactly when
+        their <em>joint spectral radius</em> is below 1 (Rota and Strang 1960). That is the number to which
+        the <Formula>n</Formula>-th root of the most by which any product of <Formula>n</Formula> of them
+        lengthens tends as <Formula>n</Formula> grows.
+      </p>
+    </ChoiceQuestion>
   );
 }
 

@@ -10,8 +10,8 @@ import { tex } from "../../kit/notation/tex";
 import { middles, PieceNames } from "../../kit/picture/annotated";
 import { number } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
-import { Choices, Reply } from "../frame/choices";
-import { Lesson, Question, Truth } from "../frame/lesson";
+import { ChoiceQuestion } from "../frame/choice-question";
+import { Lesson } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, useChoice } from "../frame/prediction";
 import { byArea, marksIn, play, share } from "./dice";
@@ -136,8 +136,11 @@ function Ferns({ prediction }: { prediction: Prediction<Seen> }) {
   const good = useMemo(() => play(maps, areas, THROWS), [maps, areas]);
   const found = marksIn(fair, TIP);
   return (
-    <Question
+    <ChoiceQuestion<Seen>
       prediction={prediction}
+      ask="A fern has four maps: 1 makes the stem, 2 all that is above the first two leaflets, 3 and 4 these two. Somebody draws it with ten thousand throws of a fair die with four faces. What is seen?"
+      options={OPTIONS}
+      truth="low"
       beside={
         <Panel caption={shown ? "By a fair die." : "By another die. The numbers are those of the maps."}>
           <Shade
@@ -155,37 +158,21 @@ function Ferns({ prediction }: { prediction: Prediction<Seen> }) {
           </Shade>
         </Panel>
       }
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="low" />
-          <Truth
-            line={`Of 10 000 throws, ${found} went into the fern above its fifth pair of leaflets, which is nearly half of its length.`}
-          >
-            <p>
-              That part is map 2 five times in a row. A fair die throws it once in 4 · 4 · 4 · 4 · 4 = 1024
-              times. Map 2 makes {Math.round(100 * (areas[1] ?? 0))} of 100 of the area. A die that goes by
-              areas throws it so often, and five times in a row in {Math.round(100 * share(areas, TIP))} of
-              100.
-            </p>
-            <p>
-              The shape is settled by the maps alone. By any die on which no face has chance 0, marks come in
-              the long run, with probability 1, as near as you like to each of its points. What the chances
-              settle is the shade: which share of the marks each part gets. That for given maps there is
-              exactly one shape, and for given chances exactly one shade, was proved by John Hutchinson
-              (1981).
-            </p>
-          </Truth>
-        </>
-      }
       after={<Better />}
+      line={`Of 10 000 throws, ${found} went into the fern above its fifth pair of leaflets, which is nearly half of its length.`}
     >
-      <Choices<Seen>
-        ask="A fern has four maps: 1 makes the stem, 2 all that is above the first two leaflets, 3 and 4 these two. Somebody draws it with ten thousand throws of a fair die with four faces. What is seen?"
-        options={OPTIONS}
-        prediction={prediction}
-        truth="low"
-      />
-    </Question>
+      <p>
+        That part is map 2 five times in a row. A fair die throws it once in 4 · 4 · 4 · 4 · 4 = 1024 times.
+        Map 2 makes {Math.round(100 * (areas[1] ?? 0))} of 100 of the area. A die that goes by areas throws it
+        so often, and five times in a row in {Math.round(100 * share(areas, TIP))} of 100.
+      </p>
+      <p>
+        The shape is settled by the maps alone. By any die on which no face has chance 0, marks come in the
+        long run, with probability 1, as near as you like to each of its points. What the chances settle is
+        the shade: which share of the marks each part gets. That for given maps there is exactly one shape,
+        and for given chances exactly one shade, was proved by John Hutchinson (1981).
+      </p>
+    </ChoiceQuestion>
   );
 }
 

@@ -8,8 +8,8 @@ import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
 import { Drawn, PieceNames } from "../../kit/picture/annotated";
 import { useKept } from "../../kit/state/kept";
-import { Choices, Reply } from "../frame/choices";
-import { Lesson, Question, Truth } from "../frame/lesson";
+import { ChoiceQuestion } from "../frame/choice-question";
+import { Lesson } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, useChoice } from "../frame/prediction";
 import { firstDigits, pointOf } from "./address";
@@ -148,8 +148,15 @@ function Which({ prediction }: { prediction: Prediction<Spot> }) {
   const { shown } = prediction;
   const address = useMemo(() => readOr("1(2)"), []);
   return (
-    <Question
+    <ChoiceQuestion<Spot>
       prediction={prediction}
+      ask={
+        <>
+          Which point is <Formula tex={tex`1(2)`} />, that is 1222…?
+        </>
+      }
+      options={OPTIONS}
+      truth="bottom"
       beside={
         <Drawn
           maps={MAPS}
@@ -174,33 +181,16 @@ function Which({ prediction }: { prediction: Prediction<Spot> }) {
           )}
         </Drawn>
       }
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="bottom" />
-          <Truth line="B, and 2(1) is the same point.">
-            <p>
-              In piece 1, then always to the right: to the right corner of piece 1. In piece 2, then always to
-              the left: to the left corner of piece 2. The two corners are one point, because there the pieces
-              touch.
-            </p>
-            <p>
-              So where pieces meet a point has an address in each. In a dust, whose pieces do not meet, every
-              point has one address and no more: then the shape is nothing but a way to write rows of digits.
-            </p>
-          </Truth>
-        </>
-      }
+      line="B, and 2(1) is the same point."
     >
-      <Choices<Spot>
-        ask={
-          <>
-            Which point is <Formula tex={tex`1(2)`} />, that is 1222…?
-          </>
-        }
-        options={OPTIONS}
-        prediction={prediction}
-        truth="bottom"
-      />
-    </Question>
+      <p>
+        In piece 1, then always to the right: to the right corner of piece 1. In piece 2, then always to the
+        left: to the left corner of piece 2. The two corners are one point, because there the pieces touch.
+      </p>
+      <p>
+        So where pieces meet a point has an address in each. In a dust, whose pieces do not meet, every point
+        has one address and no more: then the shape is nothing but a way to write rows of digits.
+      </p>
+    </ChoiceQuestion>
   );
 }

@@ -17,10 +17,9 @@ import { Picture } from "../../kit/picture/picture";
 import { number, oneOf, whole } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { useVerdict } from "../../kit/workers";
-
-import { Choices, Reply } from "../frame/choices";
+import { ChoiceQuestion } from "../frame/choice-question";
 import { Exercise } from "../frame/exercise";
-import { Lesson, Question, Truth } from "../frame/lesson";
+import { Lesson } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, useChoice } from "../frame/prediction";
 import { boxesOf, GRIDDED, moran } from "./boxes";
@@ -209,27 +208,13 @@ const OPTIONS = [
 function HowMany({ prediction }: { prediction: Prediction<Times> }) {
   const { shown } = prediction;
   return (
-    <Question
+    <ChoiceQuestion<Times>
       prediction={prediction}
+      ask="Now the gasket. When the boxes get half as wide, how many times as many does it need?"
+      options={OPTIONS}
+      truth="3"
       beside={
         <Picture maps={GRIDDED.gasket.maps} box={UNIT} label="A gasket with its corner at the lower left." />
-      }
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="3" />
-          <Truth line="Three times as many, so its dimension is 1.585: 2 to the power of 1.585 is 3.">
-            <p>
-              The gasket is more than a line and less than a square, and its dimension says by how much. It
-              follows from the maps alone: three of scale ½. If boxes half as wide are three times as many,
-              then <Formula tex={tex`3 \cdot (\frac{1}{2})^D = 1`} />.
-            </p>
-            <p>
-              So it goes for any shape made of smaller copies with scales{" "}
-              <Formula tex={tex`r_1, r_2, \dots`} /> that do not overlap: the powers with <Formula>D</Formula>{" "}
-              sum to 1. That is Moran’s equation. Eight copies of a third, the carpet, give 1.893.
-            </p>
-          </Truth>
-        </>
       }
       after={
         shown && (
@@ -239,14 +224,19 @@ function HowMany({ prediction }: { prediction: Prediction<Times> }) {
           </>
         )
       }
+      line="Three times as many, so its dimension is 1.585: 2 to the power of 1.585 is 3."
     >
-      <Choices<Times>
-        ask="Now the gasket. When the boxes get half as wide, how many times as many does it need?"
-        options={OPTIONS}
-        prediction={prediction}
-        truth="3"
-      />
-    </Question>
+      <p>
+        The gasket is more than a line and less than a square, and its dimension says by how much. It follows
+        from the maps alone: three of scale ½. If boxes half as wide are three times as many, then{" "}
+        <Formula tex={tex`3 \cdot (\frac{1}{2})^D = 1`} />.
+      </p>
+      <p>
+        So it goes for any shape made of smaller copies with scales <Formula tex={tex`r_1, r_2, \dots`} />{" "}
+        that do not overlap: the powers with <Formula>D</Formula> sum to 1. That is Moran’s equation. Eight
+        copies of a third, the carpet, give 1.893.
+      </p>
+    </ChoiceQuestion>
   );
 }
 

@@ -8,8 +8,8 @@ import { studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
 import { list, number } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
-import { Choices, Reply } from "../frame/choices";
-import { Lesson, Question, Truth } from "../frame/lesson";
+import { ChoiceQuestion } from "../frame/choice-question";
+import { Lesson } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, useChoice } from "../frame/prediction";
 import { Curve } from "./curve";
@@ -138,43 +138,34 @@ function When({ prediction }: { prediction: Prediction<Start> }) {
   const [s, setS] = useKept("asked", 0.1, number(0, MOST, 2));
   const curve = even(HEIGHTS, s);
   return (
-    <Question
+    <ChoiceQuestion<Start>
       prediction={prediction}
+      ask="A line has dimension 1. As the roughness goes up from 0, when does the dimension of the curve begin to be more than 1?"
+      options={OPTIONS}
+      truth="quarter"
       beside={
         <>
           <Curve curve={curve} label={`The curve with roughness ${fixed(s)}.`} />
           <Roughness value={s} onChange={setS} />
         </>
       }
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="quarter" />
-          <Truth line="Beyond ¼. There the four roughnesses sum to 1, and with more the dimension is more than 1.">
-            <p>
-              Look at the ups and downs, all added together. Each step puts four copies in place of the whole,
-              each <Formula>s</Formula> times as tall: from step to step what is added is{" "}
-              <Formula tex={tex`4s`} /> times as much. Below 1 that dies away, and the curve has a length,
-              like a line. Above 1 it grows without bound.
-            </p>
-            <p>
-              Boxes a quarter as wide fit the copies as the old ones fitted the whole, only that the copies
-              are <Formula tex={tex`4s`} /> times as tall for them. So there are four times as many columns,
-              each with about <Formula tex={tex`4s`} /> times as many boxes. Hence the dimension:{" "}
-              <Formula tex={tex`1 + \frac{\log 4s}{\log 4}`} />. At ½ it is 1.5, half-way between a line and
-              an area.
-            </p>
-          </Truth>
-        </>
-      }
       after={<Explore />}
+      line="Beyond ¼. There the four roughnesses sum to 1, and with more the dimension is more than 1."
     >
-      <Choices<Start>
-        ask="A line has dimension 1. As the roughness goes up from 0, when does the dimension of the curve begin to be more than 1?"
-        options={OPTIONS}
-        prediction={prediction}
-        truth="quarter"
-      />
-    </Question>
+      <p>
+        Look at the ups and downs, all added together. Each step puts four copies in place of the whole, each{" "}
+        <Formula>s</Formula> times as tall: from step to step what is added is <Formula tex={tex`4s`} /> times
+        as much. Below 1 that dies away, and the curve has a length, like a line. Above 1 it grows without
+        bound.
+      </p>
+      <p>
+        Boxes a quarter as wide fit the copies as the old ones fitted the whole, only that the copies are{" "}
+        <Formula tex={tex`4s`} /> times as tall for them. So there are four times as many columns, each with
+        about <Formula tex={tex`4s`} /> times as many boxes. Hence the dimension:{" "}
+        <Formula tex={tex`1 + \frac{\log 4s}{\log 4}`} />. At ½ it is 1.5, half-way between a line and an
+        area.
+      </p>
+    </ChoiceQuestion>
   );
 }
 

@@ -9,8 +9,8 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
 import { number } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
-import { Choices, Reply } from "../frame/choices";
-import { Lesson, Question, Truth } from "../frame/lesson";
+import { ChoiceQuestion } from "../frame/choice-question";
+import { Lesson } from "../frame/lesson";
 import { type Prediction, useChoice } from "../frame/prediction";
 import { bound, GOOD, mapOf } from "./collage";
 import { HowLarge, Promise25 } from "./exercises";
@@ -109,36 +109,27 @@ const OPTIONS = [
 
 function HowFar({ prediction }: { prediction: Prediction<Most> }) {
   return (
-    <Question
+    <ChoiceQuestion<Most>
       prediction={prediction}
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="double" />
-          <Truth line="At most 2 mm: 1 + 1/2 + 1/4 + 1/8 + … = 2.">
-            <p>
-              Say that what the maps make is <Formula>d</Formula> off the leaf. It is made of copies of
-              itself, the collage of copies of the leaf: half as large, so these two are at most{" "}
-              <Formula tex={tex`d/2`} /> apart. The collage is at most 1 mm off the leaf. Together{" "}
-              <Formula>d</Formula> is at most <Formula tex={tex`1 + d/2`} />, and so at most 2.
-            </p>
-            <p>
-              With copies of at most <Formula>s</Formula> times the size it is{" "}
-              <Formula tex={tex`d \le c / (1 - s)`} />, where <Formula>c</Formula> is how far the collage is
-              off. This promise is the collage theorem (Barnsley and others 1986). Whoever covers a shape well
-              has found maps that make nearly that shape.
-            </p>
-          </Truth>
-        </>
-      }
+      ask="Somebody covers a leaf with four copies, each half as large as the leaf, so well that the collage is nowhere more than 1 mm off. How far off can what the maps make be, at most?"
+      options={OPTIONS}
+      truth="double"
       after={<Promised />}
+      line="At most 2 mm: 1 + 1/2 + 1/4 + 1/8 + … = 2."
     >
-      <Choices<Most>
-        ask="Somebody covers a leaf with four copies, each half as large as the leaf, so well that the collage is nowhere more than 1 mm off. How far off can what the maps make be, at most?"
-        options={OPTIONS}
-        prediction={prediction}
-        truth="double"
-      />
-    </Question>
+      <p>
+        Say that what the maps make is <Formula>d</Formula> off the leaf. It is made of copies of itself, the
+        collage of copies of the leaf: half as large, so these two are at most <Formula tex={tex`d/2`} />{" "}
+        apart. The collage is at most 1 mm off the leaf. Together <Formula>d</Formula> is at most{" "}
+        <Formula tex={tex`1 + d/2`} />, and so at most 2.
+      </p>
+      <p>
+        With copies of at most <Formula>s</Formula> times the size it is{" "}
+        <Formula tex={tex`d \le c / (1 - s)`} />, where <Formula>c</Formula> is how far the collage is off.
+        This promise is the collage theorem (Barnsley and others 1986). Whoever covers a shape well has found
+        maps that make nearly that shape.
+      </p>
+    </ChoiceQuestion>
   );
 }
 

@@ -4,14 +4,11 @@ import { mapsOf } from "../../kit/locus/set-m";
 import { tex } from "../../kit/notation/tex";
 import { whole } from "../../kit/state/fields";
 import {
-  Choices,
+  ChoiceQuestion,
   Formula,
   type Heading,
   Lesson,
   type Prediction,
-  Question,
-  Reply,
-  Truth,
   useChoice,
   useKept,
 } from "../frame/parts";
@@ -89,29 +86,20 @@ export function Page(heading: Heading) {
 function HowOften({ prediction }: { prediction: Prediction<Times> }) {
   const [degrees, setDegrees] = useKept("asked", FROM, whole(FROM, TO));
   return (
-    <Question
+    <ChoiceQuestion<Times>
       prediction={prediction}
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="thrice" />
-          <Truth line="Three times: in one piece to 68°, dust from 69° to 75°, in one piece again from 76° to 81°, and dust from there on.">
-            <p>
-              All of it is proved, degree by degree; what happens between two degrees nobody has looked at
-              here. So the edge of M crosses this circle again and again: it runs in bays. Between two angles
-              at which a shape hangs together there are others at which it does not, though all of these
-              shapes are made of two equal pieces.
-            </p>
-          </Truth>
-        </>
-      }
+      ask={`Now the circle of size ${ASKED}, a little farther out. At ${FROM}° the shape is proved in one piece, at ${TO}° it is proved dust. Going there degree by degree, how often does it change?`}
+      options={OPTIONS}
+      truth="thrice"
       after={<Walk size={ASKED} degrees={degrees} range={[FROM, TO]} onDegrees={setDegrees} />}
+      line="Three times: in one piece to 68°, dust from 69° to 75°, in one piece again from 76° to 81°, and dust from there on."
     >
-      <Choices<Times>
-        ask={`Now the circle of size ${ASKED}, a little farther out. At ${FROM}° the shape is proved in one piece, at ${TO}° it is proved dust. Going there degree by degree, how often does it change?`}
-        options={OPTIONS}
-        prediction={prediction}
-        truth="thrice"
-      />
-    </Question>
+      <p>
+        All of it is proved, degree by degree; what happens between two degrees nobody has looked at here. So
+        the edge of M crosses this circle again and again: it runs in bays. Between two angles at which a
+        shape hangs together there are others at which it does not, though all of these shapes are made of two
+        equal pieces.
+      </p>
+    </ChoiceQuestion>
   );
 }

@@ -4,14 +4,11 @@ import { inSpaceTool } from "../../darwish/space/tool-link";
 import { tex } from "../../kit/notation/tex";
 import { whole } from "../../kit/state/fields";
 import {
-  Choices,
+  ChoiceQuestion,
   Formula,
   type Heading,
   Lesson,
   type Prediction,
-  Question,
-  Reply,
-  Truth,
   useChoice,
   useKept,
 } from "../frame/parts";
@@ -91,32 +88,23 @@ function WhatChanges({ prediction }: { prediction: Prediction<What> }) {
   const [degrees, setDegrees] = useKept("asked", 0, whole(0, 360));
   const maps = useMemo(() => turnedMaps(SHAPE, degrees), [degrees]);
   return (
-    <Question
+    <ChoiceQuestion<What>
       prediction={prediction}
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="shift" />
-          <Truth line="Its shift alone.">
-            <p>
-              The matrix of each map is one half of everything, and to halve is the same before a turn and
-              after it: the turns <Formula tex={tex`T`} /> and <Formula tex={tex`T^{-1}`} /> around it cancel.
-              What is left of the turn is where the map puts things: its shift is turned as a point is.
-            </p>
-            <p>
-              A matrix that turns about another axis, or shrinks more in some direction across the axis, does
-              not let a turn pass: then all twelve numbers may change.
-            </p>
-          </Truth>
-        </>
-      }
+      ask="Each of these maps has a matrix of nine numbers, which says how it turns and shrinks, and a shift of three. When the whole shape is turned, which of them have to change?"
+      options={OPTIONS}
+      truth="shift"
       after={<Turning numbers degrees={degrees} onDegrees={setDegrees} maps={maps} />}
+      line="Its shift alone."
     >
-      <Choices<What>
-        ask="Each of these maps has a matrix of nine numbers, which says how it turns and shrinks, and a shift of three. When the whole shape is turned, which of them have to change?"
-        options={OPTIONS}
-        prediction={prediction}
-        truth="shift"
-      />
-    </Question>
+      <p>
+        The matrix of each map is one half of everything, and to halve is the same before a turn and after it:
+        the turns <Formula tex={tex`T`} /> and <Formula tex={tex`T^{-1}`} /> around it cancel. What is left of
+        the turn is where the map puts things: its shift is turned as a point is.
+      </p>
+      <p>
+        A matrix that turns about another axis, or shrinks more in some direction across the axis, does not
+        let a turn pass: then all twelve numbers may change.
+      </p>
+    </ChoiceQuestion>
   );
 }

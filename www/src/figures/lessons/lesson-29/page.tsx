@@ -4,14 +4,11 @@ import { studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
 import { number } from "../../kit/state/fields";
 import {
-  Choices,
+  ChoiceQuestion,
   Formula,
   type Heading,
   Lesson,
   type Prediction,
-  Question,
-  Reply,
-  Truth,
   useChoice,
   useKept,
 } from "../frame/parts";
@@ -104,40 +101,30 @@ export function Page(heading: Heading) {
 function Quarter({ prediction }: { prediction: Prediction<What> }) {
   const [s, setS] = useKept("asked", SMOOTH, number(0, MOST, 2));
   return (
-    <Question
+    <ChoiceQuestion<What>
       prediction={prediction}
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="hill" />
-          <Truth line="A smooth hill: it is the parabola 4x(1 − x), exactly.">
-            <p>
-              Put the parabola <Formula tex={tex`p(x) = 4x(1 - x)`} /> into the recipe. A quarter of{" "}
-              <Formula tex={tex`p(2x) = 8x(1 - 2x)`} /> is <Formula tex={tex`2x - 4x^2`} />, and with{" "}
-              <Formula tex={tex`2x`} /> that is <Formula tex={tex`4x - 4x^2`} />: the parabola again. There is
-              only one curve that keeps the recipe, so this is it.
-            </p>
-            <p>
-              Each step adds tents that are a quarter as tall as those before. That rounds off the corners
-              that are there just so much that none is left in the end. A little more or a little less, and
-              there are corners wherever one looks. To be made of copies of itself is not the same as to be
-              rough.
-            </p>
-          </Truth>
-        </>
-      }
+      ask="With s = 0 it is the tent, with two straight sides. With s = ½ it is rough all over. What is it with s = ¼?"
+      options={OPTIONS}
+      truth="hill"
       after={
         <div class={`${layout["two-columns"]} ${layout["even"]}`}>
           <Curve curve={tent(s)} label={`The curve whose copies are ${fixed(s)} times as tall.`} />
           <Copies value={s} onChange={setS} />
         </div>
       }
+      line="A smooth hill: it is the parabola 4x(1 − x), exactly."
     >
-      <Choices<What>
-        ask="With s = 0 it is the tent, with two straight sides. With s = ½ it is rough all over. What is it with s = ¼?"
-        options={OPTIONS}
-        prediction={prediction}
-        truth="hill"
-      />
-    </Question>
+      <p>
+        Put the parabola <Formula tex={tex`p(x) = 4x(1 - x)`} /> into the recipe. A quarter of{" "}
+        <Formula tex={tex`p(2x) = 8x(1 - 2x)`} /> is <Formula tex={tex`2x - 4x^2`} />, and with{" "}
+        <Formula tex={tex`2x`} /> that is <Formula tex={tex`4x - 4x^2`} />: the parabola again. There is only
+        one curve that keeps the recipe, so this is it.
+      </p>
+      <p>
+        Each step adds tents that are a quarter as tall as those before. That rounds off the corners that are
+        there just so much that none is left in the end. A little more or a little less, and there are corners
+        wherever one looks. To be made of copies of itself is not the same as to be rough.
+      </p>
+    </ChoiceQuestion>
   );
 }

@@ -11,8 +11,8 @@ import { determinant, gasket, turnedGasket } from "../../kit/maps/families";
 import { boxAround, determinants, type Ends, mapsAt } from "../../kit/maps/morphs";
 import { Picture } from "../../kit/picture/picture";
 import { Time, useTime } from "../../kit/time/time";
-import { Choices, Reply } from "../frame/choices";
-import { Lesson, Question, Truth } from "../frame/lesson";
+import { ChoiceQuestion } from "../frame/choice-question";
+import { Lesson } from "../frame/lesson";
 import { type Prediction, useChoice } from "../frame/prediction";
 import { Halved, Stopped } from "./exercises";
 import { flagPath, turned } from "./flag";
@@ -146,30 +146,21 @@ const OPTIONS = [
 function Turn({ prediction, time }: TurnProps) {
   const { shown } = prediction;
   return (
-    <Question
+    <ChoiceQuestion<Halfway>
       prediction={prediction}
+      ask="Now the letter is upside down and is turned back by a half turn, number by number. What is it half-way?"
+      options={OPTIONS}
+      truth="point"
       beside={<Ask shown={shown} />}
-      answer={
-        <>
-          <Reply options={OPTIONS} prediction={prediction} truth="point" />
-          <Truth line="Half-way it is a single point: every number of the map is 0.">
-            <p>
-              A half turn changes the sign of every number: ½ becomes −½. Their mean is 0, so the map sends
-              everything to one place, and the piece vanishes. How much of an area a map leaves is told by its{" "}
-              <em>determinant</em>: it falls to 0 in the middle, while by turning it never changes.
-            </p>
-          </Truth>
-        </>
-      }
       after={<Shapes time={time} />}
+      line="Half-way it is a single point: every number of the map is 0."
     >
-      <Choices<Halfway>
-        ask="Now the letter is upside down and is turned back by a half turn, number by number. What is it half-way?"
-        options={OPTIONS}
-        prediction={prediction}
-        truth="point"
-      />
-    </Question>
+      <p>
+        A half turn changes the sign of every number: ½ becomes −½. Their mean is 0, so the map sends
+        everything to one place, and the piece vanishes. How much of an area a map leaves is told by its{" "}
+        <em>determinant</em>: it falls to 0 in the middle, while by turning it never changes.
+      </p>
+    </ChoiceQuestion>
   );
 }
 
