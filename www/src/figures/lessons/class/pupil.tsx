@@ -9,7 +9,7 @@ import { Page } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
 import { done } from "../frame/done";
 import { guessOf } from "../frame/guesses";
-import { printHandouts } from "../frame/paper";
+import { printHandouts } from "../frame/handout/paper";
 import { type Answer, MOST_WORDS, written } from "./answers";
 import css from "./class.module.css";
 import { keep, keptOf } from "./kept";

@@ -9,8 +9,8 @@ import { CopyLink } from "../../kit/state/copy-link";
 import { useValue } from "../../kit/workers";
 import { done, markDone } from "./done";
 import css from "./exercise.module.css";
+import { Room } from "./handout/room";
 import { LessonId } from "./lesson-id";
-import { Room } from "./room";
 
 interface ExerciseProps {
   /** Its place among the exercises of the lesson, from 1. */

@@ -7,11 +7,11 @@ import layout from "../../kit/frame/layout.module.css";
 import { CopyLink } from "../../kit/state/copy-link";
 import { markDone } from "./done";
 import { guessWords, keepGuess } from "./guesses";
+import { printHandout, printHandouts } from "./handout/paper";
+import { Room, Whose } from "./handout/room";
 import css from "./lesson.module.css";
 import { LessonId } from "./lesson-id";
-import { printHandout, printHandouts } from "./paper";
 import type { Prediction } from "./prediction";
-import { Room, Whose } from "./room";
 import { Slides, SlidesButton } from "./slides";
 import { ForTeachers, type Teaching } from "./teaching";
 

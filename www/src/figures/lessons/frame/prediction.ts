@@ -2,7 +2,7 @@ import { useState } from "preact/hooks";
 import { type Field, flag, oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
-import { paper } from "./paper";
+import { paper } from "./handout/paper";
 
 /** What somebody expects to see, and whether they have looked. */
 export interface Prediction<T> {

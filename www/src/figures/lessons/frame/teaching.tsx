@@ -1,6 +1,6 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { useValue } from "../../kit/workers";
-import { paper } from "./paper";
+import { paper } from "./handout/paper";
 import css from "./teaching.module.css";
 
 /** What a teacher wants to know of a lesson. */

@@ -1,6 +1,6 @@
 /** A lesson on paper: nothing is guessed and nothing told, and what a teacher wants to know is on a page of its own. */
 import { signal } from "@preact/signals";
-import { atOnce } from "../../kit/frame/print";
+import { atOnce } from "../../../kit/frame/print";
 
 const on = signal(false);
 

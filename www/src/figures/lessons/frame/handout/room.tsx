@@ -1,5 +1,5 @@
 import "./handout.css";
-import css from "./handout.module.css";
+import css from "./room.module.css";
 
 /** Lines to write on, so many at least, and as many as the page has room for; on paper only. */
 export function Room({ lines }: { lines: number }) {
