@@ -32,7 +32,9 @@ test("a curve for one end makes both ends curves, in one step, and a system brin
   );
   expect((await studio.scene()).curves?.b.preset).toBe("oak");
   expect(await studio.said()).toContainEqual(
-    expect.stringContaining("Closed curves morph into closed curves"),
+    expect.stringMatching(
+      /^Gasket was put away: an outline morphs only with an outline\. B is Oak.* for now\.$/,
+    ),
   );
   await expect(studio.verdict).toHaveText("One closed curveby construction");
   const maple = await studio.look();
@@ -54,10 +56,17 @@ test("a curve for one end makes both ends curves, in one step, and a system brin
   expect((await studio.look()).hash).toBe(maple.hash);
 
   await card(page, "B").click();
-  await page
-    .getByRole("dialog")
-    .getByRole("button", { name: /^Gasket/ })
-    .click();
+  const dialog = page.getByRole("dialog");
+  // What goes with the outline comes first; of the rest it is said that it does not.
+  await expect(dialog.getByRole("heading", { level: 3 }).first()).toHaveText("Closed curves");
+  await expect(dialog).toContainText(/whoever chooses one puts Maple.* away, and A is Gasket then\./);
+  await expect(dialog).not.toContainText("Holds with");
+  await dialog.getByRole("button", { name: /^Gasket/ }).click();
+  expect(await studio.said()).toContainEqual(
+    expect.stringMatching(
+      /^Maple.* was put away: an outline morphs only with an outline\. A is Gasket for now\.$/,
+    ),
+  );
   await expect(card(page, "B")).toHaveAccessibleName(/^Shape B: Gasket, 3 maps/);
   expect((await studio.scene()).curves).toBeUndefined();
   expect((await studio.scene()).b.preset).toBe("gasket");

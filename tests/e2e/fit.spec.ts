@@ -110,7 +110,10 @@ test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and 
     expect(curves?.a.name).toBe("leaf");
     expect(curves?.b.preset).toBe("maple");
     expect(curves?.a.curve.knots.length).toBe(fitted?.curve.knots.length);
-    await page.getByRole("button", { name: "Undo", exact: true }).click();
+    // The shape at the other end had to go, which is said.
+    const notice = page.locator(".toasts").getByRole("status");
+    await expect(notice).toContainText("Gasket was put away: an outline morphs only with an outline.");
+    await notice.getByRole("button", { name: "Undo" }).click();
     expect((await tool.scene()).curves).toBeUndefined();
   });
 });

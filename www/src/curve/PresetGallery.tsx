@@ -6,6 +6,7 @@ import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import type { Preset, Shape } from "#wasm/api";
 import { OwnShapes } from "./OwnShapes";
+import css from "./own-shapes.module.css";
 import { Shelf } from "./parts";
 
 interface PresetGalleryProps {
@@ -18,6 +19,8 @@ interface PresetGalleryProps {
   markOf?: (preset: Preset) => string | null;
   onChoose: (shape: Shape) => void;
   onClose: () => void;
+  /** Why shapes of maps do not go with what is there: then outlines come first. */
+  apart?: string | null;
   /** What else there is to choose. */
   more?: ComponentChildren;
 }
@@ -31,24 +34,34 @@ export function PresetGallery({
   markOf,
   onChoose,
   onClose,
+  apart = null,
   more,
 }: PresetGalleryProps) {
   const take = (shape: Shape) => {
     onChoose(shape);
     onClose();
   };
+  const outlines = <Shelf end={end} onChosen={onClose} />;
   return (
     <Dialog wide title={title} about={about} onClose={onClose}>
+      {apart !== null && (
+        <>
+          {outlines}
+          <h3 class={css["apart"]}>Shapes of maps</h3>
+          <p class="hint">{apart}</p>
+        </>
+      )}
       <OwnShapes onChoose={take} />
       <ShapeGrid
         presets={presets()}
         pictures={thumbnails.value}
         noteOf={mapsNote}
         markOf={markOf}
+        dim={apart !== null}
         chosen={standIn.value ? undefined : originOf(now)?.id}
         onChoose={({ id, name, maps }) => take({ preset: id, name, maps })}
       />
-      <Shelf end={end} onChosen={onClose} />
+      {apart === null && outlines}
       {more}
     </Dialog>
   );

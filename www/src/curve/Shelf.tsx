@@ -1,8 +1,9 @@
 import { useMemo } from "preact/hooks";
 import { curveBoxAt, curved, curves } from "#document/curve/curve";
 import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "#document/curve/edits";
-import { announce, notify } from "#document/notice";
-import { undo } from "#document/scene";
+import { tellReplaced } from "#document/curve/replaced";
+import { announce } from "#document/notice";
+import { scene } from "#document/scene";
 import { curveThumb } from "#stage/curve/thumb";
 import { stageStyle } from "#stage/picture-style";
 import { useOwnId } from "#ui/id";
@@ -70,17 +71,13 @@ export function Shelf({ end, onChosen }: ShelfProps) {
   const pictures = useMemo(() => picturesOf(all, palette), [all, palette]);
   const now = curves.value?.[end === "b" ? "b" : "a"];
   const choose = ({ name, shape }: Item) => {
-    const partner = end === "bent" ? bendCurve(shape) : chooseCurve(end, shape);
-    const what =
-      end === "bent" ? `${name}, with the grid around it.` : `Shape ${end.toUpperCase()} is now ${name}.`;
-    if (partner && end !== "bent") {
-      const other = end === "a" ? "B" : "A";
-      notify({
-        kind: "info",
-        text: `${what} Closed curves morph into closed curves: ${other} is ${partner.name} for now.`,
-        action: { label: "Undo", run: undo },
-      });
-    } else announce(what);
+    const before = scene.peek();
+    if (end === "bent") bendCurve(shape);
+    else chooseCurve(end, shape);
+    tellReplaced(before, end === "b" ? "b" : "a");
+    announce(
+      end === "bent" ? `${name}, with the grid around it.` : `Shape ${end.toUpperCase()} is now ${name}.`,
+    );
     onChosen();
   };
   return (
@@ -90,7 +87,7 @@ export function Shelf({ end, onChosen }: ShelfProps) {
         Outlines made of smaller copies of their own arcs. They stay closed and in one piece, whatever becomes
         of them.
         {!curved.peek() && end !== "bent" && (
-          <> They morph into closed curves only, so that the other shape becomes one, too.</>
+          <> They morph with outlines only, so that the other shape becomes one, too.</>
         )}
       </p>
       <ShapeGrid

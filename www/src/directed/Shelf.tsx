@@ -1,4 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
+import { tellReplaced } from "#document/curve/replaced";
 import { chooseDirected } from "#document/directed/edits";
 import { selection } from "#document/morph";
 import { announce, wordsOf } from "#document/notice";
@@ -13,6 +14,11 @@ import css from "./directed.module.css";
 import { stateWords } from "./words";
 
 const SIZE: PictureSize = { width: 160, height: 120 };
+
+const MORPHS = {
+  outline: "They morph with shapes of maps and with each other, and not with outlines.",
+  other: "The other shape stays what it is, and the morph goes between both.",
+};
 
 interface ShelfProps {
   end: "a" | "b";
@@ -57,7 +63,9 @@ export function DirectedShelf({ end, onChosen }: ShelfProps) {
   const choose = ({ id, name, system }: DirectedPreset) => {
     // Nothing of a system is edited any more.
     selection.value = null;
+    const before = scene.peek();
     chooseDirected(end, { preset: id, name, ...system });
+    tellReplaced(before, end);
     announce(`Shape ${end.toUpperCase()} is now ${name}.`);
     onChosen();
   };
@@ -73,7 +81,7 @@ export function DirectedShelf({ end, onChosen }: ShelfProps) {
       <h3 id={title}>Shapes of several states</h3>
       <p class="hint">
         {problem === null
-          ? "Graph-directed: each state is made of copies of states. The other shape stays what it is, and the morph goes between both."
+          ? `Graph-directed: each state is made of copies of states. ${MORPHS[scene.value.curves ? "outline" : "other"]}`
           : `They could not be loaded: ${problem}`}
       </p>
       <ShapeGrid

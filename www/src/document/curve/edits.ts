@@ -27,23 +27,20 @@ function partnerOf(shape: CurveShape): CurveShape {
 
 const around = (now: Scene) => (now.curves ? boxAround(curveBox(now.curves.a.curve)) : null);
 
-/** A curve for one end of the morph. Returns what became of the other end, where it was a system. */
-export function chooseCurve(end: End, shape: CurveShape): CurveShape | null {
+/** A curve for one end of the morph. */
+export function chooseCurve(end: End, shape: CurveShape): void {
   const first = !curved.peek();
   const partner = partnerOf(shape);
   // Among curves a mesh stays where the hand has put it.
   edit((before) => withCurve(before, end, shape, partner, first ? around : undefined));
-  return first ? partner : null;
 }
 
 /**
  * A curve to be bent: the first shape of the morph becomes it, the moment goes to the start, and the mesh around it.
  */
-export function bendCurve(shape: CurveShape): CurveShape | null {
-  const first = !curved.peek();
+export function bendCurve(shape: CurveShape): void {
   const partner = partnerOf(shape);
   edit((before) => ({ ...withCurve(before, "a", shape, partner, around), t: 0 }));
-  return first ? partner : null;
 }
 
 /** What the fit has found, as an end of a morph. */

@@ -2,10 +2,12 @@
 import { effect, signal, untracked } from "@preact/signals";
 import { cutOut } from "#document/curve/cut-out";
 import { holdPhotograph, takenCurve } from "#document/curve/photographs";
+import { tellReplaced } from "#document/curve/replaced";
 import { bendPicture } from "#document/deform/bend-picture";
 import { useCurve as takeCurve, type Use } from "#document/fit";
 import type { KeptPhotograph } from "#document/kept/fits";
 import { notify, wordsOf } from "#document/notice";
+import { scene } from "#document/scene";
 import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { croppedPhotograph } from "./kept/photograph";
@@ -88,7 +90,9 @@ function takeShape(shape: CurveShape, to: Use, grown: string | undefined = shape
     const wanted = grown !== undefined && grown !== "oak" ? "oak" : "maple";
     const partner = presets.find((preset) => preset.id === wanted) ?? presets[0];
     if (!partner) throw new Error("there is no other shape");
+    const before = scene.peek();
     takeCurve(taken, partner, to);
+    tellReplaced(before, to === "b" ? "b" : "a");
   } catch (problem) {
     notify({ kind: "error", text: `This fit cannot be taken there: ${wordsOf(problem)}` });
   }

@@ -21,6 +21,8 @@ interface ShapeGridProps<T extends ShapeItem> {
   /** The id of the one that is there now. */
   chosen: string | undefined;
   onChoose: (preset: T) => void;
+  /** Their pictures are faint: they do not go with what is there. */
+  dim?: boolean;
 }
 
 /** How many maps a system has. */
@@ -30,7 +32,7 @@ export function mapsNote({ maps }: { maps: readonly unknown[] }): string {
 
 /** Every preset, with its picture and one sentence; arrows walk the grid. */
 export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
-  const { presets: all, pictures, chosen, noteOf, markOf, onChoose } = props;
+  const { presets: all, pictures, chosen, noteOf, markOf, onChoose, dim = false } = props;
   const [active, setActive] = useState(() =>
     Math.max(
       0,
@@ -54,7 +56,7 @@ export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
   };
 
   return (
-    <ul class={css["gallery"]} ref={list} onKeyDown={walk}>
+    <ul class={`${css["gallery"]} ${dim ? css["dim"] : ""}`} ref={list} onKeyDown={walk}>
       {all.map((preset, index) => (
         <li key={preset.id}>
           <button

@@ -3,6 +3,7 @@ import { standInFilm, strip, thumbnails } from "#compute/results";
 import { PresetGallery } from "#curve/PresetGallery";
 import { sameCurves } from "#document/curve/changes";
 import { curved, curveMorph, curves } from "#document/curve/curve";
+import { tellReplaced } from "#document/curve/replaced";
 import { boxAround, changeDeformation, deformation } from "#document/deform/bend";
 import { announce } from "#document/notice";
 import { pause, setT } from "#document/playback";
@@ -158,7 +159,9 @@ export function Gallery() {
       end="bent"
       now={a.value}
       onChoose={(shape) => {
-        edit((before) => choose(before, shape, boxAround(shape.maps)));
+        const before = scene.peek();
+        edit((now) => choose(now, shape, boxAround(shape.maps)));
+        tellReplaced(before, "a");
         announce(`${shape.name}, with the grid around it.`);
       }}
       onClose={() => {

@@ -1,16 +1,31 @@
 import { PresetGallery } from "#curve/PresetGallery";
 import { DirectedShelf } from "#directed/Shelf";
+import { tellReplaced } from "#document/curve/replaced";
 import { editSystems } from "#document/curve/systems";
+import { systemOf } from "#document/directed/changes";
 import { chooseSystem } from "#document/directed/edits";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
-import { originOf } from "#document/presets";
+import { presets } from "#document/presets";
+import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
+import type { Shape } from "#wasm/api";
 import { choose, nameOf, other } from "../changes";
 import { gallery } from "../dialogs";
 import { pick } from "../locus/path/way";
 import { shapes } from "../parts";
 import { bondWords, partnersOf } from "./partners";
+
+/** The system at an end, if there is one: what takes part in the morph, and not what it stands in for. */
+function besideOf(end: "a" | "b"): Shape | null {
+  const { directed } = scene.value;
+  if (directed) return systemOf(directed[end]);
+  return standIn.value ? null : shapes[end].value;
+}
+
+/** Which shape of the gallery has these maps. */
+const idOf = ({ preset, maps }: Shape): string =>
+  preset ?? presets().find((one) => JSON.stringify(one.maps) === JSON.stringify(maps))?.id ?? "";
 
 /** Every preset, to be the shape of one end, and the closed curves. */
 export function Gallery() {
@@ -19,21 +34,33 @@ export function Gallery() {
   const close = () => {
     gallery.value = null;
   };
-  const beside = shapes[other(end)].value;
-  const partners = partnersOf(originOf(beside)?.id ?? "");
+  const beside = besideOf(other(end));
+  const partners = partnersOf(beside ? idOf(beside) : "");
+  const { curves, [other(end)]: system } = scene.value;
+  const outline = curves?.[other(end)].name;
   return (
     <PresetGallery
       title={`Shape ${nameOf(end)}`}
-      about="Each is made of smaller copies of itself. Its maps can be edited afterwards."
+      about={
+        outline === undefined
+          ? "Each is made of smaller copies of itself. Its maps can be edited afterwards."
+          : `Shape ${nameOf(other(end))} is ${outline}, an outline: outlines morph with outlines.`
+      }
+      apart={
+        outline === undefined
+          ? null
+          : `They do not morph with outlines: whoever chooses one puts ${outline} away, and ${nameOf(other(end))} is ${system.name} then.`
+      }
       end={end}
       now={shapes[end].value}
       markOf={({ id }) => {
         const bond = partners.get(id);
-        return bond ? bondWords(bond, beside.name) : null;
+        return bond && beside ? bondWords(bond, beside.name) : null;
       }}
       onChoose={(shape) => {
+        const before = scene.peek();
         if (standIn.peek() === "directed") chooseSystem(end, shape);
-        else void editSystems((before) => choose(before, end, shape));
+        else void editSystems((now) => choose(now, end, shape)).then(() => tellReplaced(before, end));
         if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
         pick(null);
         announce(`Shape ${nameOf(end)} is now ${shape.name}.`);

@@ -1,0 +1,40 @@
+import { afterEach, beforeEach, expect, test } from "vitest";
+import type { CurveShape } from "#wasm/api";
+import { dismiss, notices } from "../notice";
+import { edit, scene, start } from "../scene";
+import { withCurve, withoutCurves } from "./changes";
+import { tellReplaced } from "./replaced";
+
+const BLANK = scene.peek();
+const shape = (name: string): CurveShape => ({ name, curve: { knots: [], edges: [] } });
+const [mine, oak] = [shape("My leaf"), shape("Oak")];
+
+beforeEach(() => start(BLANK));
+afterEach(() => {
+  for (const { id } of notices.peek()) dismiss(id);
+});
+
+test("the end that was not chosen is named where it had to give way, and comes back", () => {
+  edit((before) => withCurve(before, "b", mine, oak));
+  expect(tellReplaced(BLANK, "b")).toBe(true);
+  const [notice] = notices.peek();
+  expect(notice?.text).toBe("Gasket was put away: an outline morphs only with an outline. A is Oak for now.");
+  notice?.action?.run();
+  expect(scene.peek()).toEqual(BLANK);
+});
+
+test("so is an outline that gives way to a system", () => {
+  start(withCurve(BLANK, "b", mine, oak));
+  const before = scene.peek();
+  edit(withoutCurves);
+  expect(tellReplaced(before, "a")).toBe(true);
+  expect(notices.peek()[0]?.text).toMatch(/^My leaf was put away: .* B is Mirrored gasket for now\.$/);
+});
+
+test("nothing is told where the other end stays", () => {
+  start(withCurve(BLANK, "b", mine, oak));
+  const before = scene.peek();
+  edit((now) => withCurve(now, "b", oak, mine));
+  expect(tellReplaced(before, "b")).toBe(false);
+  expect(notices.peek()).toEqual([]);
+});
