@@ -2,6 +2,7 @@
 
 pub(crate) mod check;
 pub(crate) mod distance_transform;
+pub(crate) mod end_lines;
 pub(crate) mod field;
 pub(crate) mod plan;
 pub(crate) mod rate;
