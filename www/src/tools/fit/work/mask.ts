@@ -66,9 +66,11 @@ export function redoStroke(): void {
 /** What was painted on a picture is kept with it. */
 const kept = new Map<number, { settings: Settings; part: number }>();
 
+/** Whose settings they are: whoever leaves the tool and comes back finds them as they were. */
+let picture: number | null = null;
+
 /** Keeps mask and outline up with the picture and the settings. Returns the end of it. */
 export function watchMask(): () => void {
-  let picture: number | null = null;
   return effect(() => {
     const now = opened.value;
     const id = now?.id ?? null;
