@@ -98,5 +98,6 @@ pub use segment::{
 };
 pub use series::Series;
 pub use spline::{
-    LEAST_BYTES, MAX_NODES, MOST_BYTES, Node, Spline, SplineError, SplineFit, SplineFitter, fit_within,
+    LEAST_BYTES, MAX_NODES, MOST_BYTES, Node, Spline, SplineError, SplineFit, SplineFitter, StepLaw,
+    fit_within,
 };

@@ -8,10 +8,12 @@ mod fitter;
 mod grids;
 mod law;
 mod pack;
+mod path;
 mod room;
 mod window;
 
 pub use fitter::{LEAST_BYTES, MOST_BYTES, SplineFit, SplineFitter, fit_within};
+pub use law::StepLaw;
 pub use pack::SplineError;
 
 use glam::DVec2;
@@ -86,6 +88,19 @@ impl Spline {
         while line.len() > 1 && line.first() == line.last() {
             line.pop();
         }
+        line.iter_mut().for_each(|p| *p *= self.grid);
+        line
+    }
+
+    /// The pieces of nodes `from` to `to`, which may pass the end, as an open polyline in plane units.
+    #[must_use]
+    pub fn stretch(&self, from: usize, to: usize, sides: usize) -> Vec<DVec2> {
+        let node = |i: usize| &self.nodes[i % self.nodes.len()];
+        let mut line = Vec::new();
+        for i in from..=to {
+            piece([node(i + self.nodes.len() - 1), node(i), node(i + 1)], sides.max(1), &mut line);
+        }
+        line.push(joint(node(to), node(to + 1)));
         line.iter_mut().for_each(|p| *p *= self.grid);
         line
     }

@@ -1,10 +1,13 @@
 //! What copies would save: runs of nodes that are left out, where a smaller image of another part stands for them.
 
-use frond_fit::{Outline, fidelity};
+use frond_fit::{Outline, Spline, StepLaw, fidelity};
 use glam::{DMat2, DVec2};
 
-use crate::rate::{Steps, kinds};
-use crate::spline::{Node, closed, pieces};
+/// What a bit more on each node is worth in squares, for each point: what the curve itself was made with.
+const PRICE: f64 = 0.02;
+
+/// Sides of a parabola.
+const SIDES: usize = 6;
 
 /// The longest run and the longest source, in nodes.
 const LONGEST: usize = 12;
@@ -48,24 +51,27 @@ fn squares(points: &[DVec2], line: &[DVec2], most: f64) -> f64 {
 /// Where arcs of the curve copy others, each charged what it costs by the price that the curve itself was made with:
 /// what the best of them come to, measured, where their sources are any arcs; and what is saved by that price where
 /// they share a few sources. Sources are taken as they were, so that this is the most that copies of copies come to.
-pub fn worth(points: &[DVec2], nodes: &[Node]) -> String {
+pub fn worth(outline: &Outline, spline: &Spline) -> String {
+    // All in steps of the grid.
+    let points: Vec<DVec2> = outline.points().iter().map(|p| *p / spline.grid).collect();
+    let spline = &Spline { grid: 1.0, ..spline.clone() };
+    let nodes = &spline.nodes;
+    let Some(marks) = spline.beside(&points) else { return "too long to look for copies".to_owned() };
     let count = nodes.len();
     let step = |i: usize| nodes[i % count].at - nodes[(i + count - 1) % count].at;
-    let law = Steps::of((0..count).map(|i| (step(i), step(i + count - 1))));
-    let on = nodes.iter().filter(|node| node.on).count();
-    let kinds = if on == count { [0.0; 2] } else { kinds(on, count) };
-    let bits = |i: usize| law.bits(step(i), step(i + count - 1)) + kinds[usize::from(!nodes[i % count].on)];
-    let price = 0.04 * points.len() as f64 / count as f64;
+    let law = StepLaw::of((0..count).map(|i| (step(i), step(i + count - 1))));
+    let share = spline.corners() as f64 / count as f64;
+    let kind = |on: bool| if on { -share.log2() } else { -(1.0 - share).log2() };
+    let bits = |i: usize| law.bits(step(i), step(i + count - 1)) + kind(nodes[i % count].on);
+    let price = PRICE * points.len() as f64 / count as f64;
     let between = |a: usize, b: usize| {
-        let (first, last) = (nodes[a % count].mark, nodes[b % count].mark);
+        let (first, last) = (marks[a % count], marks[b % count]);
         let many = (last + points.len() - first) % points.len();
         (0..=many).map(|k| points[(first + k) % points.len()]).collect::<Vec<_>>()
     };
     let arc = |a: usize, b: usize| {
-        let mut line = Vec::new();
-        pieces(nodes, a, b, &mut line);
+        let mut line = spline.stretch(a, b, SIDES);
         // From the node itself, and to the node itself.
-        line.retain(|p| p.is_finite());
         line[0] = nodes[a % count].at;
         let last = line.len() - 1;
         line[last] = nodes[b % count].at;
@@ -175,22 +181,22 @@ pub fn worth(points: &[DVec2], nodes: &[Node]) -> String {
         }
     }
     let shared = format!("of few shared sources {} save {:.1}%", best.0, 100.0 * best.1 / total);
-    let Ok(outline) = Outline::new(points) else { return shared };
+    let Ok(outline) = Outline::new(&points) else { return shared };
     let rms = |line: &[DVec2]| fidelity(&outline, line).rms;
     format!(
         "{} copies: {total:.0} bits become {:.0}, rms {:.4} becomes {:.4}; {shared}",
         picked.len(),
         total - saved_by(&picked, count, 0.0, |worth| worth.shorter),
-        rms(&closed(nodes)),
-        rms(&with(nodes, &picked)),
+        rms(&spline.polyline(16)),
+        rms(&with(spline, &picked)),
     )
 }
 
 /// The curve with copies in the place of what they stand for.
-fn with(nodes: &[Node], picked: &[&Worth]) -> Vec<DVec2> {
+fn with(spline: &Spline, picked: &[&Worth]) -> Vec<DVec2> {
+    let nodes = &spline.nodes;
     let count = nodes.len();
     let mut line = Vec::new();
-    let mut arc = Vec::new();
     // From where no copy runs over the end.
     let first = (0..count).find(|&i| {
         picked
@@ -204,9 +210,10 @@ fn with(nodes: &[Node], picked: &[&Worth]) -> Vec<DVec2> {
             line.extend_from_slice(&worth.image[..worth.image.len() - 1]);
             i += worth.to - worth.from;
         } else {
-            pieces(nodes, i % count, i % count, &mut arc);
+            let arc = spline.stretch(i, i, SIDES);
             // A corner's own piece begins and ends on straight sides.
-            line.extend_from_slice(if nodes[i % count].on { &arc[1..2] } else { &arc[..arc.len() - 1] });
+            let corner = [nodes[i % count].at];
+            line.extend_from_slice(if nodes[i % count].on { &corner } else { &arc[..arc.len() - 1] });
             i += 1;
         }
     }

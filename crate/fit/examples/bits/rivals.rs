@@ -2,19 +2,45 @@
 
 use std::f64::consts::{LN_2, TAU};
 
-use frond_fit::{ClosedCurve, DRAWING_LEVELS, DRAWING_TOLERANCE, Fitter, Outline, bezier_segments};
+use frond_fit::{
+    ClosedCurve, DRAWING_LEVELS, DRAWING_TOLERANCE, Fitter, Node, Outline, Spline, StepLaw, bezier_segments,
+    least_squares_polyline,
+};
 use glam::DVec2;
-
-use crate::rate::{STEPS_BITS, Steps};
 
 /// Bits for how many there are, for a first point, and for a parameter of a code.
 const COUNT_BITS: f64 = 12.0;
 const FIRST_BITS: f64 = 16.0;
 const PARAMETER_BITS: f64 = 5.0;
 
+/// Bits for the two numbers of a [`StepLaw`].
+const STEPS_BITS: f64 = 10.0;
+
 /// Grids, in parts of the diagonal: each is finer than the one before by a root of two.
 fn grids(diagonal: f64) -> impl Iterator<Item = f64> {
     (0..28).map(move |i| diagonal / 12.0 * 0.5_f64.powf(f64::from(i) / 2.0))
+}
+
+/// The corners of the best polylines by least squares, on the grid by which they are nearest, in the same form as our
+/// own curves.
+pub fn polyline(outline: &Outline, bytes: usize, error: &dyn Fn(&[DVec2]) -> f64) -> Option<Vec<DVec2>> {
+    let mut best: Option<(f64, Vec<DVec2>)> = None;
+    for bits in [6.5, 7.5, 8.5, 9.5, 11.0, 13.0] {
+        let corners = least_squares_polyline(outline, 2 * (8.0 * bytes as f64 / bits) as usize);
+        for grid in grids(outline.diagonal()) {
+            let grid = grid.log2().floor().exp2();
+            let nodes = corners.iter().map(|p| Node { at: (*p / grid).round(), on: true }).collect();
+            let spline = Spline { nodes, grid };
+            if spline.to_bytes().is_ok_and(|packed| packed.len() <= bytes) {
+                let line = spline.polyline(1);
+                let off = error(&line);
+                if best.as_ref().is_none_or(|best| off < best.0) {
+                    best = Some((off, line));
+                }
+            }
+        }
+    }
+    best.map(|best| best.1)
 }
 
 /// Fourier descriptors on the grid by which they are nearest: frequencies whose amplitudes fall as a power, each number
@@ -107,8 +133,8 @@ pub fn bezier(outline: &Outline, bytes: usize, error: &dyn Fn(&[DVec2]) -> f64) 
                 let [a, b, c, d] = whole[i];
                 [(b - a.lerp(d, 1.0 / 3.0), d - a), (c - a.lerp(d, 2.0 / 3.0), d - a)]
             };
-            let of_ends = Steps::of(chords.clone());
-            let of_handles = Steps::of((0..count).flat_map(handles));
+            let of_ends = StepLaw::of(chords.clone());
+            let of_handles = StepLaw::of((0..count).flat_map(handles));
             let bits = chords.map(|(a, b)| of_ends.bits(a, b)).sum::<f64>()
                 + (0..count).flat_map(handles).map(|(a, b)| of_handles.bits(a, b)).sum::<f64>();
             if bits + 2.0 * STEPS_BITS + COUNT_BITS + FIRST_BITS > 8.0 * bytes as f64 {

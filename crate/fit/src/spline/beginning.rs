@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::contest::Contest;
 use super::descent::FEWEST;
-use super::{MAX_NODES, Node};
+use super::{MAX_NODES, Node, Spline};
 use crate::outline::{Outline, decimated};
 
 /// About how many bits a node takes.
@@ -49,12 +49,11 @@ impl Beginning {
         };
         if matches!(self, Self::Best | Self::Kick(_))
             && let Some((spline, _)) = contest.best()
+            && let Some(marks) = spline.beside(followed.points()).filter(|marks| marks.len() >= FEWEST)
         {
             let place = |node: &Node| Node { at: node.at * spline.grid, ..*node };
-            let nodes: Vec<Node> = spline.nodes.iter().map(place).collect();
-            if let Some(marks) = beside(followed.points(), &nodes) {
-                return Start { nodes, marks, grid: wider * spline.grid, greed };
-            }
+            let nodes = spline.nodes.iter().map(place).collect();
+            return Start { nodes, marks, grid: wider * spline.grid, greed };
         }
         let free = contest.free_bits().max(64.0);
         let most = (MAX_NODES / 2).min(followed.points().len() / 2);
@@ -65,38 +64,41 @@ impl Beginning {
     }
 }
 
-/// The index of a point beside each of the nodes, in order all round, such that the sum of squares of their distances
-/// is least when the first has its nearest; none where there are too few nodes or too many.
-fn beside(points: &[DVec2], nodes: &[Node]) -> Option<Vec<usize>> {
-    let (count, many) = (points.len(), nodes.len());
-    if many < FEWEST || many > count || count * many > MOST_PAIRS {
-        return None;
-    }
-    let off = |i: usize, k: usize| points[k % count].distance_squared(nodes[i].at);
-    let first = (0..count).min_by(|&a, &b| off(0, a).total_cmp(&off(0, b)))?;
-    // The least sums up to node i with its point k places behind the first, and where node i - 1 has its own then.
-    let mut sums = vec![f64::INFINITY; count];
-    sums[0] = 0.0;
-    let mut ways = vec![0_u32; count * many];
-    for i in 1..many {
-        let mut next = vec![f64::INFINITY; count];
-        let mut best = (f64::INFINITY, 0);
-        for k in 1..count {
-            if sums[k - 1] < best.0 {
-                best = (sums[k - 1], k as u32 - 1);
-            }
-            next[k] = best.0 + off(i, first + k);
-            ways[i * count + k] = best.1;
+impl Spline {
+    /// The index of one of these points beside each node, in order all round, such that the sum of squares of their
+    /// distances is least when the first has its nearest; none where there are fewer points than nodes, or too many.
+    #[must_use]
+    pub fn beside(&self, points: &[DVec2]) -> Option<Vec<usize>> {
+        let (count, many) = (points.len(), self.nodes.len());
+        if many > count || count * many > MOST_PAIRS {
+            return None;
         }
-        sums = next;
+        let off = |i: usize, k: usize| points[k % count].distance_squared(self.nodes[i].at * self.grid);
+        let first = (0..count).min_by(|&a, &b| off(0, a).total_cmp(&off(0, b)))?;
+        // The least sums up to node i with its point k places behind the first, and where node i - 1 has its own then.
+        let mut sums = vec![f64::INFINITY; count];
+        sums[0] = 0.0;
+        let mut ways = vec![0_u32; count * many];
+        for i in 1..many {
+            let mut next = vec![f64::INFINITY; count];
+            let mut best = (f64::INFINITY, 0);
+            for k in 1..count {
+                if sums[k - 1] < best.0 {
+                    best = (sums[k - 1], k as u32 - 1);
+                }
+                next[k] = best.0 + off(i, first + k);
+                ways[i * count + k] = best.1;
+            }
+            sums = next;
+        }
+        let mut k = (0..count).min_by(|&a, &b| sums[a].total_cmp(&sums[b]))?;
+        let mut marks = vec![0; many];
+        for i in (0..many).rev() {
+            marks[i] = (first + k) % count;
+            k = ways[i * count + k] as usize;
+        }
+        Some(marks)
     }
-    let mut k = (0..count).min_by(|&a, &b| sums[a].total_cmp(&sums[b]))?;
-    let mut marks = vec![0; many];
-    for i in (0..many).rev() {
-        marks[i] = (first + k) % count;
-        k = ways[i * count + k] as usize;
-    }
-    Some(marks)
 }
 
 #[cfg(test)]
@@ -118,8 +120,9 @@ mod tests {
                 Node { at: DVec2::new(p.x, if p.y > 0.5 { 1.0 - off(mark) } else { off(mark) }), on: true }
             })
             .collect();
-        let marks = beside(&points, &nodes[2..]).unwrap();
+        let of = |nodes: &[Node]| Spline { nodes: nodes.to_vec(), grid: 1.0 }.beside(&points);
+        let marks = of(&nodes[2..]).unwrap();
         assert!(marks.iter().zip(&want[2..]).skip(1).all(|(a, b)| a == b), "{marks:?}");
-        assert_eq!(beside(&points, &nodes[5..]), None, "too few to descend from");
+        assert_eq!(of(&nodes.repeat(10)), None, "more nodes than points");
     }
 }

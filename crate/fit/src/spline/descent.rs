@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::law::Steps;
+use super::law::StepLaw;
 use super::room::meetings;
 use super::window::Window;
 use super::{Node, joint};
@@ -43,7 +43,7 @@ pub struct Descent {
     marks: Vec<usize>,
     /// Where nothing helped, and nothing near has changed since.
     settled: Vec<bool>,
-    steps: Steps,
+    steps: StepLaw,
     kinds: [f64; 2],
     price: f64,
     guarded: bool,
@@ -76,7 +76,7 @@ impl Descent {
             settled: vec![false; nodes.len()],
             nodes,
             marks,
-            steps: Steps::of(std::iter::empty()),
+            steps: StepLaw::of(std::iter::empty()),
             kinds: [0.0; 2],
             price: 0.0,
             guarded,
@@ -124,7 +124,7 @@ impl Descent {
     fn learn(&mut self) {
         let count = self.nodes.len();
         let step = |i: usize| self.nodes[i % count].at - self.nodes[(i + count - 1) % count].at;
-        self.steps = Steps::of((0..count).map(|i| (step(i), step(i + count - 1))));
+        self.steps = StepLaw::of((0..count).map(|i| (step(i), step(i + count - 1))));
         self.kinds = kinds(self.nodes.iter().filter(|node| node.on).count(), count);
         let price = self.greed * PRICE * self.points.len() as f64 / count as f64;
         if self.price / price > OTHER_PRICE || price / self.price > OTHER_PRICE {

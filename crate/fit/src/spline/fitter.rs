@@ -146,7 +146,7 @@ impl SplineFitter {
         self.share = self.share.max(now);
     }
 
-    /// Steps to the end.
+    /// StepLaw to the end.
     #[must_use]
     pub fn finish(mut self) -> Option<SplineFit> {
         while !self.is_done() {

@@ -27,23 +27,24 @@ pub const ALL: u64 = 1 << 24;
 /// A law of steps on a grid of width 1: the density falls with the length r of a step as exp(-r (1 - k cos a) / s),
 /// where a is the angle to the step before it. Its integral over the plane is 2 pi s² / (1 - k²)^(3/2).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Steps {
+pub struct StepLaw {
     /// Which width s, which turn k = turn / 20.
-    pub width: u64,
-    pub turn: u64,
+    pub(crate) width: u64,
+    pub(crate) turn: u64,
     s: f64,
     k: f64,
     base: f64,
 }
 
-impl Steps {
-    pub fn new(width: u64, turn: u64) -> Self {
+impl StepLaw {
+    pub(crate) fn new(width: u64, turn: u64) -> Self {
         let s = (0..width).fold(NARROWEST, |s, _| s * WIDER);
         let k = turn as f64 / TURNS as f64;
         Self { width, turn, s, k, base: (TAU * s * s / (1.0 - k * k).powf(1.5)).log2() }
     }
 
     /// The law by which these steps take the fewest bits, each with the one before it.
+    #[must_use]
     pub fn of(pairs: impl Iterator<Item = (DVec2, DVec2)>) -> Self {
         let (mut long, mut ahead, mut many) = (0.0, 0.0, 0.0);
         for (step, before) in pairs {
@@ -62,11 +63,12 @@ impl Steps {
     }
 
     /// The law of the same steps in cells of 2^k each way.
-    pub fn of_cells(&self, k: u32) -> Self {
+    pub(crate) fn of_cells(&self, k: u32) -> Self {
         Self::new(self.width.saturating_sub(OCTAVE * u64::from(k)).min(WIDTHS - 1), self.turn)
     }
 
-    /// About what a step takes.
+    /// About how many bits a step takes, behind another one.
+    #[must_use]
     pub fn bits(&self, step: DVec2, before: DVec2) -> f64 {
         self.base + (step.length() - self.k * step.dot(before.normalize_or_zero())) / (self.s * LN_2)
     }
@@ -85,7 +87,7 @@ fn exp(x: f64) -> f64 {
 /// The shares of steps by a law that are no wider than `most` in x and y.
 #[derive(Clone, Debug)]
 pub struct Table {
-    law: Steps,
+    law: StepLaw,
     most: i64,
     falls: Vec<f64>,
     weights: Vec<f64>,
@@ -93,7 +95,7 @@ pub struct Table {
 }
 
 impl Table {
-    pub fn new(law: Steps, most: i64) -> Self {
+    pub fn new(law: StepLaw, most: i64) -> Self {
         let wide = (2 * most + 1) as usize;
         let fall = |x: i64, y: i64| exp(-((x * x + y * y) as f64).sqrt() / law.s);
         let falls = (-most..=most).flat_map(|x| (-most..=most).map(move |y| fall(x, y))).collect();
@@ -153,7 +155,7 @@ mod tests {
     #[test]
     fn shares_say_what_the_law_does() {
         for before in [DVec2::ZERO, DVec2::new(3.0, -2.0), DVec2::new(0.0, 40.0)] {
-            let law = Steps::new(28, 12);
+            let law = StepLaw::new(28, 12);
             let mut table = Table::new(law, 90);
             let columns = table.columns(before);
             assert!(columns.is_sorted() && columns[181] == ALL);

@@ -4,7 +4,7 @@ use glam::DVec2;
 use thiserror::Error;
 
 use super::coder::{Decoder, Encoder};
-use super::law::{ALL, Steps, TURNS, Table, WIDTHS};
+use super::law::{ALL, StepLaw, TURNS, Table, WIDTHS};
 use super::{FARTHEST, MAX_NODES, Node, Spline};
 
 /// What the first byte says; a [`ClosedCurve`](crate::ClosedCurve)'s says 1.
@@ -133,7 +133,7 @@ impl Spline {
     pub(crate) fn cut_where_it_costs(mut self) -> Self {
         let count = self.nodes.len();
         let step = |i: usize| self.nodes[i % count].at - self.nodes[(i + count - 1) % count].at;
-        let law = Steps::of((0..count).map(|i| (step(i), step(i + count - 1))));
+        let law = StepLaw::of((0..count).map(|i| (step(i), step(i + count - 1))));
         // With the first step, how it turns is told from nothing.
         let bits = |i: usize| {
             let (now, next) = (step(i), step(i + 1));
@@ -165,7 +165,7 @@ impl Spline {
         let before = |i: usize| if i > 1 { step(i - 1) } else { DVec2::ZERO };
         let most = (1..count).map(|i| step(i).abs().max_element()).fold(0.0, f64::max) as i64;
         let (cells, reach) = cells(most);
-        let law = Steps::of((1..count).map(|i| (step(i), before(i)))).of_cells(cells.k);
+        let law = StepLaw::of((1..count).map(|i| (step(i), before(i)))).of_cells(cells.k);
         let mut coder = Encoder::new();
         put_grid(&mut coder, self.grid);
         let long = count.ilog2();
@@ -222,7 +222,7 @@ impl Spline {
         let grid = take_grid(&mut coder);
         let long = coder.even(12) as u32;
         let count = 1_usize << long | coder.bits(long) as usize;
-        let law = Steps::new(coder.even(WIDTHS), coder.even(TURNS));
+        let law = StepLaw::new(coder.even(WIDTHS), coder.even(TURNS));
         let k = coder.gamma().filter(|&k| k < MOST_BITS).ok_or(SplineError::Unsound)?;
         let cells = Cells { k: k as u32 };
         let most = REACHES[coder.even(REACHES.len() as u64) as usize] as i64;
