@@ -2,6 +2,7 @@
 import { fetchCurves } from "#curve/parts";
 import { lazily } from "#ui/lazy";
 
+const causes = () => import("./locus/view/Causes").then((module) => module.Causes);
 const evidence = () => import("./evidence/Panel").then((module) => module.MorphEvidence);
 const gallery = () => import("./shapes/Gallery").then((module) => module.Gallery);
 const maps = () => import("./maps/MapEditor").then((module) => module.MapEditor);
@@ -15,6 +16,7 @@ const standIn = () => import("./StandIn").then((module) => module.StandIn);
 const toBoundary = () => import("./locus/view/ToBoundary").then((module) => module.ToBoundary);
 const familyNotes = () => import("./locus/families/FamilyNotes").then((module) => module.FamilyNotes);
 
+export const Causes = lazily(causes);
 export const MorphEvidence = lazily(evidence);
 export const Gallery = lazily(gallery);
 export const MapEditor = lazily(maps);
@@ -31,6 +33,7 @@ export const FamilyNotes = lazily(familyNotes);
 export const fetchAhead = () =>
   Promise.all([
     fetchCurves(),
+    causes(),
     evidence(),
     gallery(),
     maps(),

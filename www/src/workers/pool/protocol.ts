@@ -70,6 +70,14 @@ export interface Tasks {
     options: MorphOptions & { epsilon: number };
     points: readonly PathPoint[];
   };
+  /** Why nothing was proved at single points where the morph only looks whole. */
+  causes: {
+    kind: "causes";
+    from: MapRow[];
+    to: MapRow[];
+    options: MorphOptions & { epsilon: number };
+    points: readonly PathPoint[];
+  };
   /** All that is known at single points, as `verdict` tells it. */
   along: {
     kind: "along";
@@ -117,6 +125,12 @@ export interface Tasks {
   buffer: { kind: "buffer"; ifs: Ifs; options: IndexBufferOptions };
 }
 
+/**
+ * Why a sample only looks whole, seen closer: it is in pieces; a longer search proves that it is in one; its pieces
+ * share points but for rounding; they come nearer, and no more is known; or not even that.
+ */
+export type Cause = "apart" | "search" | "rounding" | "near" | "open";
+
 interface Results {
   /** Full rows r0, r0 + stride, .. below r1; samples that were not asked for are 255 and NaN. */
   locus: { state: Uint8Array; gap: Float32Array };
@@ -133,6 +147,7 @@ interface Results {
   way: PathPlan;
   verdict: Connectedness;
   states: Uint8Array;
+  causes: Cause[];
   along: Told[];
   picture: ImageBitmap;
   buffer: { components: number[]; overlaps: [number, number][] };
@@ -167,6 +182,7 @@ export type Channel =
   | "routes"
   | "ways"
   | "boundary"
+  | "causes"
   | "hover"
   | "card"
   | "window"

@@ -28,7 +28,8 @@ function program(sample: { state: number; gap: number }) {
     interpolate: () => ({ maps }),
   } as unknown as Frond & Proof;
   const context = { frond, keep: new Map(), breathe: async () => {}, progress: () => {}, transfer: () => {} };
-  const run = <K extends "verdict" | "along">(task: Task<K>) => tasks[task.kind as K](context, task);
+  const run = <K extends "verdict" | "along" | "causes">(task: Task<K>) =>
+    tasks[task.kind as K](context, task);
   return { asked, run };
 }
 
@@ -58,6 +59,14 @@ describe("the answer about one shape", () => {
       points,
     });
     expect(result).toEqual([{ verdict: "disconnected", gap: { lower: 0, upper: 1e-3 }, diameter: 1 }]);
+  });
+
+  it("is a cause where the morph only looks whole", async () => {
+    const { run } = program({ state: 1, gap: 0 });
+    const cause = (epsilon: number) =>
+      run({ kind: "causes", from: maps, to: maps, options: { epsilon }, points: [[0.5, 0.5]] });
+    expect(await cause(1e-6)).toEqual(["apart"]);
+    expect(await cause(1 / 600)).toEqual(["near"]);
   });
 
   it("has what is proved of a polygon family", async () => {

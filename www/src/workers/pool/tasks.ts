@@ -145,6 +145,15 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
     transfer(found.buffer);
     return found;
   },
+  causes: ({ frond }, { from, to, points, options: { epsilon, ...morph } }) =>
+    points.map(([u, v, w = 0]) => {
+      const ifs = frond.interpolate({ maps: from }, { maps: to }, { ...morph, u, v, w });
+      const { verdict, reason } = frond.connectedness(ifs, { epsilon });
+      if (verdict === "connected") return "search";
+      if (verdict === "disconnected") return "apart";
+      if (verdict !== "touching") return "open";
+      return reason ? "rounding" : "near";
+    }),
   along: ({ frond }, { from, to, points, options: { epsilon, ...morph } }) =>
     points.map(([u, v, w = 0]) => {
       const ifs = frond.interpolate({ maps: from }, { maps: to }, { ...morph, u, v, w });

@@ -5,12 +5,12 @@ import locusCss from "#stage/locus/locus.module.css";
 import "./field.css";
 import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { provedPart } from "#geometry/states";
+import { provedPart, STATE } from "#geometry/states";
 import { Legend } from "#stage/locus/Legend";
 import type { LocusStyle } from "#stage/locus/paint";
 import { IconButton } from "#ui/controls/Button";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
-import { FamilyNotes, TickOrigins } from "../later";
+import { Causes, FamilyNotes, TickOrigins } from "../later";
 import { followCritical } from "./families/critical";
 import fieldCss from "./field.module.css";
 import { LocusSquare } from "./LocusSquare";
@@ -80,6 +80,7 @@ export function LocusPanel() {
       </div>
       <Plot />
       <Now />
+      {family.value === "morph" && states.value.has(STATE.touching) && <Causes />}
       {family.value === "morph" ? <Slice /> : <FamilyNotes />}
       <WindowNumbers />
     </section>

@@ -1,0 +1,54 @@
+/** Why samples of the map only look whole: some of them are looked at closer. */
+import { resolutionWords } from "#format/verdict";
+import type { Uv } from "#geometry/path";
+import { STATE } from "#geometry/states";
+import type { Bounds } from "#wasm/api";
+import type { Cause } from "#workers/pool/protocol";
+
+/** So many times closer. */
+export const CLOSER = 1e-3;
+/** Samples that are looked at: enough to tell what is common from what is rare. */
+const MOST = 48;
+
+interface Sampled {
+  width: number;
+  height: number;
+  state: ArrayLike<number>;
+  bounds: Bounds;
+}
+
+/** Samples that only look whole, evenly chosen from all of them. */
+export function chosen({ width, height, state, bounds: { u0, v0, u1, v1 } }: Sampled): Uv[] {
+  const all: number[] = [];
+  for (let i = 0; i < width * height; i++) if (state[i] === STATE.touching) all.push(i);
+  const count = Math.min(MOST, all.length);
+  const at = (low: number, high: number, k: number, of: number) =>
+    low + ((high - low) * k) / Math.max(1, of - 1);
+  return Array.from({ length: count }, (_, k) => {
+    const i = all[Math.floor(((k + 0.5) * all.length) / count)] ?? 0;
+    return [at(u0, u1, i % width, width), at(v0, v1, Math.floor(i / width), height)];
+  });
+}
+
+/** Each cause with its count, the most common first. */
+export function counted(causes: readonly Cause[]): [cause: Cause, count: number][] {
+  const counts = new Map<Cause, number>();
+  for (const cause of causes) counts.set(cause, (counts.get(cause) ?? 0) + 1);
+  return [...counts].sort((a, b) => b[1] - a[1]);
+}
+
+/** A cause in words, where pieces within `epsilon` of the diameter counted as touching. */
+export function causeWords(cause: Cause, epsilon: number): string {
+  switch (cause) {
+    case "apart":
+      return `in pieces: a gap narrower than ${resolutionWords(epsilon)} is seen closer`;
+    case "search":
+      return "in one piece: a longer search proves it";
+    case "rounding":
+      return "pieces share points if numbers mean what they come near, which their last digits do not prove";
+    case "near":
+      return `pieces come within ${resolutionWords(CLOSER * epsilon)}, and nothing more was found`;
+    case "open":
+      return `not decided at ${resolutionWords(CLOSER * epsilon)}`;
+  }
+}
