@@ -19,6 +19,8 @@ export interface PictureProps {
   margin?: number;
   priority?: number;
   colouring?: Colouring;
+  /** The place of each map among the colours, where it is not its place among the maps. */
+  hues?: readonly number[] | undefined;
   /** What bends it. While it changes the picture is coarse, so that it follows. */
   bend?: Bend;
 }
@@ -34,6 +36,7 @@ export function Picture({
   margin = 0.05,
   priority = 44,
   colouring = "map",
+  hues,
   bend,
 }: PictureProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -45,10 +48,11 @@ export function Picture({
     if (full === null) return null;
     const size = coarse ? coarser(full) : full;
     const view = fitFor(box, size, margin);
-    const colours = palette(onDark ? "dark" : "light");
+    const all = palette(onDark ? "dark" : "light");
+    const colours = hues ? hues.map((hue) => all[hue % all.length] ?? "#808080") : all;
     const options = { ...size, view, colouring, palette: colours };
     return { kind: "picture", maps, options: bend ? { ...options, bend } : options };
-  }, [maps, box, full, coarse, margin, onDark, colouring, bend]);
+  }, [maps, box, full, coarse, margin, onDark, colouring, hues, bend]);
   useAsk<"picture">(task, priority, {
     accept(about, bitmap) {
       if (canvas.current) paint(canvas.current, bitmap);

@@ -9,8 +9,11 @@ const FERN: MapRow[] = [
   [-0.15, 0.28, 0.26, 0.24, 0, 0.44],
 ];
 
-it("leaves out what is switched off", () => {
-  expect(chosen(FERN, [true, false, true, true])).toEqual([FERN[0], FERN[2], FERN[3]]);
+it("leaves out what is switched off, and a map keeps its colour", () => {
+  expect(chosen(FERN, [true, false, true, true])).toEqual({
+    maps: [FERN[0], FERN[2], FERN[3]],
+    hues: [0, 2, 3],
+  });
 });
 
 it("turns the large map alone, and gives the fern back at its own turn", () => {

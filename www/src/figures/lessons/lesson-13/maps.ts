@@ -9,9 +9,13 @@ export const PARTS = [
   "a leaf on the right",
 ] as const;
 
-/** The maps that are switched on. */
-export function chosen(maps: readonly MapRow[], on: readonly boolean[]): MapRow[] {
-  return maps.filter((_, i) => on[i]);
+/** The maps that are switched on, each with its place among all: by that it has its colour. */
+export function chosen(
+  maps: readonly MapRow[],
+  on: readonly boolean[],
+): { maps: MapRow[]; hues: readonly number[] } {
+  const hues = maps.flatMap((_, i) => (on[i] ? [i] : []));
+  return { maps: maps.filter((_, i) => on[i]), hues };
 }
 
 /** The fern whose large map turns by so many degrees, clockwise, and keeps its scale. */

@@ -1,5 +1,7 @@
 import { useMemo } from "preact/hooks";
+import { dark } from "#document/preferences";
 import { fixed } from "#format/numbers";
+import { palette } from "#style/palette";
 import { Switch } from "#ui/controls/Switch";
 import type { MapRow } from "#wasm/api";
 import { Choice, SliderControl } from "../../kit/frame/control";
@@ -12,6 +14,7 @@ import { Drawn } from "../../kit/picture/annotated";
 import { Picture } from "../../kit/picture/picture";
 import { flag, list, number, text } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
+import { useValue } from "../../kit/workers";
 import { ChoiceQuestion } from "../frame/choice-question";
 import { Exercise } from "../frame/exercise";
 import { Lesson } from "../frame/lesson";
@@ -78,7 +81,8 @@ const useFrame = (maps: MapRow[]) => useMemo(() => boxAround([maps]), [maps]);
 /** Each copy with its frame, to be switched off. */
 function Switched({ fern }: FernProps) {
   const [on, setOn] = useKept<readonly boolean[]>("on", EVERY, list(flag, PARTS.length, PARTS.length));
-  const maps = useMemo(() => chosen(fern, on), [fern, on]);
+  const { maps, hues } = useMemo(() => chosen(fern, on), [fern, on]);
+  const colours = palette(useValue(dark) ? "dark" : "light");
   const box = useFrame(fern);
   const corners: Point[] = [
     [box.x0, box.y0],
@@ -91,6 +95,7 @@ function Switched({ fern }: FernProps) {
     <div class={`${layout["two-columns"]} ${layout["even"]}`}>
       <Drawn
         maps={maps}
+        hues={hues}
         box={box}
         label={
           left.length === 0
@@ -120,7 +125,7 @@ function Switched({ fern }: FernProps) {
             disabled={on[i] === true && maps.length === 1}
             onChange={(next) => setOn(on.map((was, k) => (k === i ? next : was)))}
           >
-            Map {i + 1}: {part}
+            <i class={css["swatch"]} style={{ background: colours[i] }} /> Map {i + 1}: {part}
           </Switch>
         ))}
         <p class={layout["hint"]} aria-live="polite">
@@ -158,7 +163,7 @@ const OPTIONS = [
 
 function Stem({ fern, prediction }: FernProps & { prediction: Prediction<Lost> }) {
   const { shown } = prediction;
-  const bare = useMemo(() => fern.slice(1), [fern]);
+  const bare = useMemo(() => chosen(fern, [false, true, true, true]), [fern]);
   const box = useFrame(fern);
   return (
     <ChoiceQuestion<Lost>
@@ -168,7 +173,8 @@ function Stem({ fern, prediction }: FernProps & { prediction: Prediction<Lost> }
       truth="all"
       beside={
         <Picture
-          maps={shown ? bare : fern}
+          maps={shown ? bare.maps : fern}
+          hues={shown ? bare.hues : undefined}
           box={box}
           label={shown ? "The fern without its first map: no stem anywhere." : "Barnsley’s fern."}
         />
@@ -189,7 +195,14 @@ const GONE = 4;
 
 function Missing({ fern }: FernProps) {
   const [said, setSaid] = useKept("x1.missing", "0", text(/[0-4]/));
-  const maps = useMemo(() => fern.filter((_, i) => i !== GONE - 1), [fern]);
+  const { maps, hues } = useMemo(
+    () =>
+      chosen(
+        fern,
+        fern.map((_, i) => i !== GONE - 1),
+      ),
+    [fern],
+  );
   const box = useFrame(fern);
   return (
     <Exercise
@@ -211,6 +224,7 @@ function Missing({ fern }: FernProps) {
       <div class={`${layout["two-columns"]} ${layout["even"]}`}>
         <Picture
           maps={maps}
+          hues={hues}
           box={box}
           label="A fern that has leaves on one side only, and so have its leaves."
         />
