@@ -4,6 +4,7 @@ pub mod average;
 pub mod cells;
 pub mod corners;
 pub mod corners3;
+pub mod delaunay;
 pub mod footing;
 pub mod grid;
 pub mod lattice;

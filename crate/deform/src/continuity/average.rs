@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use frond_core::Ifs;
 use glam::{DMat2, DVec2};
-use spade::{DelaunayTriangulation, FloatTriangulation, HasPosition, Point2, Triangulation};
 
+use crate::continuity::delaunay::{Delaunay, STEPS};
 use crate::continuity::footing::Footing;
 use crate::mesh::Mesh;
 use crate::shuffle::level_terms::{Source, Words};
@@ -31,30 +31,14 @@ pub(crate) struct Average {
     shares: Vec<f64>,
     /// The vertices whose displacements the outer four have.
     nearest: [usize; 4],
-    triangulation: DelaunayTriangulation<Vertex>,
+    triangulation: Delaunay,
     /// To coordinates in which the shape fills the unit square.
     low: DVec2,
     scale: f64,
 }
 
-#[derive(Clone, Copy, Debug)]
-struct Vertex {
-    position: Point2<f64>,
-    number: u32,
-}
-
-impl HasPosition for Vertex {
-    type Scalar = f64;
-
-    fn position(&self) -> Point2<f64> {
-        self.position
-    }
-}
-
 /// The most words of ke letters: a triangulation of as many points takes a tenth of a second.
 const MOST_CELLS: usize = 1 << 16;
-/// Middles are rounded to this part of the shape's size: no rounding error makes a triangle of its own.
-const ROUNDING_STEP: f64 = 1.0 / (1_u64 << 30) as f64;
 /// How far out the outer four points lie.
 const OUTER_POINTS: [(f64, f64); 4] = [(-1.0, -1.0), (2.0, -1.0), (-1.0, 2.0), (2.0, 2.0)];
 
@@ -72,31 +56,28 @@ impl Average {
         let middles: Vec<DVec2> =
             words(ifs.maps(), terms.depth()).iter().map(|word| word.apply(middle)).collect();
         let scale = 1.0 / (high - low).max_element().max(1e-300);
-        let mut known: HashMap<(i64, i64), u32> = HashMap::with_capacity(middles.len());
+        let mut known: HashMap<[i32; 2], u32> = HashMap::with_capacity(middles.len());
         let (mut points, mut shared, mut vertices) = (Vec::new(), Vec::<u32>::new(), Vec::new());
         for &middle in &middles {
-            let cell = ((middle - low) * scale / ROUNDING_STEP).round();
-            let number = *known.entry((cell.x as i64, cell.y as i64)).or_insert(points.len() as u32);
+            // Rounded, so that no rounding error makes a triangle of its own.
+            let steps = ((middle - low) * scale).clamp(DVec2::ZERO, DVec2::ONE) * STEPS;
+            let place = [steps.x.round() as i32, steps.y.round() as i32];
+            let number = *known.entry(place).or_insert(points.len() as u32);
             if number as usize == points.len() {
-                points.push(cell * ROUNDING_STEP);
+                points.push(place);
                 shared.push(0);
             }
             shared[number as usize] += 1;
             vertices.push(number);
         }
         let nearest = OUTER_POINTS.map(|far| {
-            let distance = |&i: &usize| points[i].distance_squared(far.into());
+            let distance =
+                |&i: &usize| (DVec2::from(points[i].map(f64::from)) / STEPS).distance_squared(far.into());
             (0..points.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
         });
-        points.extend(OUTER_POINTS.map(DVec2::from));
-        let vertex = |(number, point): (usize, &DVec2)| Vertex {
-            position: Point2::new(point.x, point.y),
-            number: number as u32,
-        };
+        points.extend(OUTER_POINTS.map(|(x, y)| [x, y].map(|x| (x * STEPS) as i32)));
         let shares = shared.into_iter().map(|count| 1.0 / f64::from(count)).collect();
-        // It refuses coordinates that are NaN or beyond all measure: there are none.
-        let list = points.iter().enumerate().map(vertex).collect();
-        let triangulation = DelaunayTriangulation::bulk_load(list).unwrap_or_default();
+        let triangulation = Delaunay::new(points);
         Self { maps: ifs.len(), means, middles, vertices, shares, nearest, triangulation, low, scale }
     }
 
@@ -127,11 +108,9 @@ impl Average {
     /// The vertices of the triangle around a point of the plane, and what they count.
     pub fn footing(&self, point: DVec2) -> Footing {
         let place = ((point - self.low) * self.scale).max(DVec2::splat(-0.99)).min(DVec2::splat(1.99));
-        let mut found = Vec::with_capacity(3);
-        self.triangulation.barycentric().get_weights(Point2::new(place.x, place.y), &mut found);
         let mut footing = Footing::default();
-        for (vertex, share) in found {
-            footing.add(self.triangulation.vertex(vertex).data().number, share);
+        for (vertex, share) in self.triangulation.weights(place) {
+            footing.add(vertex, share);
         }
         footing
     }
