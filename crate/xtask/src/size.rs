@@ -15,9 +15,9 @@ use crate::stamp;
 const MOST_FIRST_BYTES: usize = 195_000;
 /// Bytes of wasm to the first picture that a graphics card draws, by WebGPU, at most: the module that describes and
 /// draws, which computes a coarse one at once, and the renderer.
-const MOST_PICTURE_BYTES: usize = 510_000;
+const MOST_PICTURE_BYTES: usize = 485_000;
 /// Bytes of the renderer for WebGL2 at most: old laptops and phones are who needs it.
-const MOST_WEBGL2_BYTES: usize = 260_000;
+const MOST_WEBGL2_BYTES: usize = 238_000;
 /// Bytes of the scripts that index.html loads by itself, at most; what is loaded when asked for is not among them.
 const MOST_SCRIPT_BYTES: usize = 80_000;
 
