@@ -40,7 +40,7 @@ export function Causes() {
               <ul class="hint">
                 {counted(now.causes).map(([cause, count]) => (
                   <li key={cause}>
-                    <span class="number">{count}:</span> {causeWords(cause, epsilon.value)}
+                    <span class="number">{count}</span> {causeWords(cause, epsilon.value)}
                   </li>
                 ))}
               </ul>
@@ -72,7 +72,8 @@ function look(field: Field): void {
   const closer = { ...options, epsilon: CLOSER * epsilon.peek() };
   const job: Job<"causes"> = {
     channel: "causes",
-    priority: () => 2,
+    // After the proofs: what these settle is no cause.
+    priority: () => 0,
     next() {
       const some = points.splice(0, AT_ONCE);
       return some.length > 0 ? { kind: "causes", from, to, options: closer, points: some } : null;

@@ -41,13 +41,13 @@ export function counted(causes: readonly Cause[]): [cause: Cause, count: number]
 export function causeWords(cause: Cause, epsilon: number): string {
   switch (cause) {
     case "apart":
-      return `in pieces: a gap narrower than ${resolutionWords(epsilon)} is seen closer`;
+      return `in pieces, by a gap narrower than ${resolutionWords(epsilon)}`;
     case "search":
       return "in one piece: a longer search proves it";
     case "rounding":
-      return "pieces share points if numbers mean what they come near, which their last digits do not prove";
+      return "sharing points if numbers mean what they come near, which their last digits do not prove";
     case "near":
-      return `pieces come within ${resolutionWords(CLOSER * epsilon)}, and nothing more was found`;
+      return `touching still at ${resolutionWords(CLOSER * epsilon)}, and nothing more was found`;
     case "open":
       return `not decided at ${resolutionWords(CLOSER * epsilon)}`;
   }
