@@ -24,7 +24,7 @@ export function Guide() {
   );
   if (route.value.page !== "studio") return null;
   if (at.value !== null) return tool.value === "morph" ? <Round key={at.value} number={at.value} /> : null;
-  return greeting.value ? <Greeting /> : null;
+  return greeting.value && tool.value === "morph" ? <Greeting /> : null;
 }
 
 function Greeting() {
@@ -72,7 +72,11 @@ function Round({ number }: { number: number }) {
   return (
     <>
       {place && <div class={css["ring"]} style={ringOf(place)} aria-hidden="true" />}
-      <aside class={`${css["card"]} ${css["round"]}`} style={cardOf(place)} aria-labelledby="guide-title">
+      <aside
+        class={`${css["card"]} ${css["round"]}`}
+        style={cardOf(place, evidenceOpen.value)}
+        aria-labelledby="guide-title"
+      >
         <p class={css["count"]}>
           {number + 1} of {STEPS.length}
         </p>
@@ -124,7 +128,8 @@ function usePlace(selector: string | undefined): Rect | null {
   const [place, setPlace] = useState<Rect | null>(null);
   useEffect(() => {
     if (!selector) return;
-    document.querySelector(selector)?.scrollIntoView({ block: "center" });
+    // On a phone it comes under the picture, which the card then leaves free.
+    document.querySelector(selector)?.scrollIntoView({ block: isNarrow() ? "start" : "center" });
     let frame = requestAnimationFrame(function look() {
       const target = document.querySelector(selector);
       const box = target?.getBoundingClientRect();
@@ -161,12 +166,15 @@ const ringOf = ({ left, top, width, height }: Rect) => ({
 /** As wide as the style says; beside the control where there is room. On narrow pages it lies at an edge. */
 const CARD = { width: 320, height: 240, free: 16 };
 
-function cardOf(place: Rect | null) {
-  if (!place || innerWidth < 760) {
-    // Away from what it is about.
-    const high = place !== null && place.top + place.height / 2 > innerHeight * 0.55;
-    return innerWidth < 760 ? (high ? { top: "4rem" } : { bottom: "1rem" }) : {};
+const isNarrow = () => innerWidth < 760;
+
+function cardOf(place: Rect | null, evidence: boolean) {
+  if (isNarrow()) {
+    // Over the picture only where it would hide the control, or what was opened by it.
+    const hides = place !== null && place.top + place.height > innerHeight - CARD.height;
+    return hides || evidence ? { top: "4rem" } : { bottom: "1rem" };
   }
+  if (!place) return {};
   const { width, height, free } = CARD;
   const toLeft = place.edge - width - free;
   const toRight = place.left + place.width + 2 * free;
