@@ -2,10 +2,12 @@ import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { curveAtBoth, type End, sameCurves, swapCurves } from "#document/curve/changes";
 import { curveMorph, curves } from "#document/curve/curve";
+import { photographs, photographsShown } from "#document/curve/photographs";
 import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
 import { BackToSystems } from "#stage/curve/BackToSystems";
 import { CurveThumb } from "#stage/curve/CurveThumb";
+import { Switch } from "#ui/controls/Switch";
 import { Menu } from "#ui/overlay/Menu";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
@@ -41,6 +43,7 @@ export function CurvePanel({ choose }: CurvePanelProps) {
         <Card end="b" choose={choose} />
       </section>
       <Way />
+      <Photographs />
       <Colours />
       <SaveButtons />
       <section class={curveCss["curve-back"]} aria-label="Systems">
@@ -150,6 +153,28 @@ function Way() {
 
 function figure(dimension: number): string {
   return Number.isFinite(dimension) ? dimension.toFixed(2) : "…";
+}
+
+/** Where both ends were fitted to photographs that are still there. */
+function Photographs() {
+  if (!photographs.value) return null;
+  return (
+    <section class="stack" aria-label="Photographs">
+      <Switch
+        checked={photographsShown.value}
+        onChange={(shown) => {
+          photographsShown.value = shown;
+        }}
+      >
+        Their photographs
+      </Switch>
+      <p class="hint">
+        Each leaf is carried along by its outline, by mean value coordinates (Floater 2003; Hormann and
+        Floater 2006), while one fades into the other. They are in this browser alone: links, films and files
+        show the curves.
+      </p>
+    </section>
+  );
 }
 
 const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [

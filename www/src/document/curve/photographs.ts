@@ -1,8 +1,11 @@
 /** Photographs of the leaves that curves were fitted to: in this page alone, since a link does not hold them. */
+import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import type { Curve } from "#wasm/api";
-import { rough } from "#wasm/curve";
+import { frond } from "#wasm/core";
+import { curvesReady, rough } from "#wasm/curve";
 import type { KeptPhotograph } from "../kept/fits";
 import { centred, centredBox, centringOf } from "./centred";
+import { curves } from "./curve";
 
 /** A photograph, and where it lies in the plane of its curve: left, bottom, right, top. */
 export interface CurvePhotograph {
@@ -14,7 +17,7 @@ export interface CurvePhotograph {
 const MOST_HELD = 6;
 
 /** By the curve, packed. */
-const held = new Map<string, CurvePhotograph>();
+const held = signal<ReadonlyMap<string, CurvePhotograph>>(new Map());
 const keys = new WeakMap<Curve, string>();
 
 function keyOf(curve: Curve): string {
@@ -31,13 +34,56 @@ export const takenCurve = (curve: Curve): Curve => rough.quantised(centred(curve
 /** The photograph of a fit goes along, wherever its curve goes. */
 export async function holdPhotograph(fit: Curve, { blob, box }: KeptPhotograph): Promise<CurvePhotograph> {
   const key = keyOf(takenCurve(fit));
-  const known = held.get(key);
+  const known = held.peek().get(key);
   if (known) return known;
   const made = { image: await createImageBitmap(blob), box: centredBox(box, centringOf(fit)) };
-  held.set(key, made);
-  for (const old of held.keys()) {
-    if (held.size <= MOST_HELD) break;
-    held.delete(old);
+  const next = new Map(held.peek()).set(key, made);
+  for (const old of next.keys()) {
+    if (next.size <= MOST_HELD) break;
+    next.delete(old);
   }
+  held.value = next;
   return made;
+}
+
+/** The photographs of the two ends; null where there are not both. */
+export const photographs: ReadonlySignal<{ a: CurvePhotograph; b: CurvePhotograph } | null> = computed(() => {
+  const now = curves.value;
+  if (!now || !curvesReady.value) return null;
+  try {
+    const [a, b] = [held.value.get(keyOf(now.a.curve)), held.value.get(keyOf(now.b.curve))];
+    return a && b ? { a, b } : null;
+  } catch {
+    return null;
+  }
+});
+
+/** Whether they are shown where there are both. */
+export const photographsShown = signal(true);
+
+/** Curves that were looked for in vain. */
+const sought = new Set<string>();
+
+/** Looks for photographs of the document's curves among the fits that are kept. Returns the end of it. */
+export function watchPhotographs(): () => void {
+  return effect(() => {
+    const now = curves.value;
+    if (!now || !curvesReady.value) return;
+    untracked(() => void lookFor([now.a.curve, now.b.curve]));
+  });
+}
+
+async function lookFor(all: readonly Curve[]): Promise<void> {
+  try {
+    const wanted = new Set(all.map(keyOf).filter((key) => !held.peek().has(key) && !sought.has(key)));
+    if (wanted.size === 0) return;
+    const { Fits } = await import("../kept/fits");
+    for (const { fragment, photograph } of await new Fits().list()) {
+      const fit = photograph && frond.decodeScene(fragment).scene.fit?.curve?.curve;
+      if (fit && wanted.has(keyOf(takenCurve(fit)))) await holdPhotograph(fit, photograph);
+    }
+    for (const key of wanted) if (!held.peek().has(key)) sought.add(key);
+  } catch {
+    // Without their photographs curves are what they are.
+  }
 }

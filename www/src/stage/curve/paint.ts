@@ -6,6 +6,7 @@ import { GREY } from "#style/colours";
 import type { Colouring } from "#wasm/api";
 import { edgeColours } from "./colours";
 import { type Frame, fillPath, outlinePaths, type Placed, place } from "./outline";
+import type { CarriedPicture } from "./photographs/carried";
 
 /** How a curve is painted. */
 interface CurveLook {
@@ -61,6 +62,25 @@ export function paintCurve(
     context.strokeStyle = outline?.colours[kind] ?? colour;
     context.stroke(path);
   }
+}
+
+/** Paints what lies on a box of the plane inside the same curve, without an outline. */
+export function paintInside(
+  context: CanvasRenderingContext2D,
+  vertices: Float64Array,
+  frame: Frame,
+  { canvas, box: [x0, y0, x1, y1] }: CarriedPicture,
+): void {
+  context.clearRect(0, 0, frame.width, frame.height);
+  const area = new Path2D();
+  fillPath(area, place(vertices, frame));
+  const { points } = place(Float64Array.of(x0, y1, x1, y0), frame);
+  const [left = 0, top = 0, right = 0, bottom = 0] = points;
+  context.save();
+  context.clip(area, "nonzero");
+  context.imageSmoothingQuality = "high";
+  context.drawImage(canvas, left, top, right - left, bottom - top);
+  context.restore();
 }
 
 /** Lighter in the middle of the curve: it lies there like a leaf held against the light. */

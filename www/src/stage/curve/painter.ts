@@ -1,11 +1,15 @@
 import type { CurveMorph } from "#document/curve/curve";
+import type { CurvePhotograph } from "#document/curve/photographs";
 import { wordsOf } from "#document/notice";
 import type { View } from "#geometry/coordinates";
 import type { Bend } from "#wasm/api";
 import type { RenderStyle } from "#wasm/core";
 import { CanvasPainter } from "../surface/canvas-painter";
 import type { PainterState } from "../surface/painter";
-import { lookOf, paintCurve } from "./paint";
+import { lookOf, paintCurve, paintInside } from "./paint";
+import { Carried, type CarriedPicture } from "./photographs/carried";
+
+type Photographs = { a: CurvePhotograph; b: CurvePhotograph };
 
 /** What is to be seen. Sizes are device pixels, `view.scale` is in CSS pixels a unit. */
 interface CurveRequest {
@@ -14,6 +18,8 @@ interface CurveRequest {
   bend: Bend | null;
   view: View;
   style: RenderStyle;
+  /** Of both ends, where they are to be seen. */
+  photographs: Photographs | null;
   width: number;
   height: number;
   /** Device pixels a CSS pixel. */
@@ -57,6 +63,7 @@ export class CurvePainter extends CanvasPainter {
   /** How many times coarser than it should be the next frame is. */
   #coarse = 1;
   #fine = false;
+  #carried: { morph: CurveMorph; photographs: Photographs; of: Carried } | null = null;
 
   constructor(
     host: HTMLElement,
@@ -125,6 +132,11 @@ export class CurvePainter extends CanvasPainter {
       vertices = morph.polyline(s, options);
     }
     const frame = { view: { ...view, scale }, width, height };
+    const picture = this.#pictureOf(wanted, morph, coarse);
+    if (picture) {
+      paintInside(context, vertices, frame, picture);
+      return vertices.length / 2;
+    }
     paintCurve(
       context,
       vertices,
@@ -132,5 +144,24 @@ export class CurvePainter extends CanvasPainter {
       lookOf(morph, s, style.colouring, style.palette, LINE_WIDTH * ratio),
     );
     return vertices.length / 2;
+  }
+
+  /** What is to be seen inside the curve in place of colours. */
+  #pictureOf(
+    { photographs, bend, s }: CurveRequest,
+    morph: CurveMorph,
+    coarse: number,
+  ): CarriedPicture | null {
+    // Under a grid that is pulled the photographs would stay behind.
+    if (!photographs || moved(bend)) return null;
+    try {
+      if (this.#carried?.morph !== morph || this.#carried.photographs !== photographs) {
+        this.#carried = { morph, photographs, of: new Carried(morph, photographs) };
+      }
+      return this.#carried.of.at(s, coarse);
+    } catch {
+      // Without a canvas for them the curve is shown.
+      return null;
+    }
   }
 }

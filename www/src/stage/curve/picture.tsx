@@ -1,7 +1,9 @@
 import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { curveTime, stageMorph } from "#document/curve/curve";
+import { photographs, photographsShown, watchPhotographs } from "#document/curve/photographs";
 import { bend, bendProblem } from "#document/deform/bend";
+import { tool } from "#document/tool";
 import { attachGestures } from "../gestures";
 import { watchSize } from "../picture";
 import { stageStyle } from "../picture-style";
@@ -42,11 +44,14 @@ export function CurvePicture({ onState, onPainter }: CurvePictureProps) {
         bend: bend.value,
         view: effectiveView.value,
         style: stageStyle.value,
+        photographs: photographsShown.value && tool.value === "morph" ? photographs.value : null,
       });
     });
     const stopGestures = attachGestures(element);
     const stopFilm = watchFilm();
+    const stopPhotographs = watchPhotographs();
     return () => {
+      stopPhotographs();
       stopFilm();
       stopGestures();
       stopShow();

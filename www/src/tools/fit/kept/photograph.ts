@@ -40,7 +40,7 @@ export function cropOf({ x0, y0, x1, y1 }: Box, width: number, height: number): 
   return { left, top, across, down, box: box as unknown as KeptPhotograph["box"] };
 }
 
-/** The part with the leaf of the photograph on the stage, made small; null where there is none. */
+/** The leaf of the photograph on the stage, cut out along its outline and made small; null where there is none. */
 export async function croppedPhotograph(): Promise<KeptPhotograph | null> {
   const now = source.peek();
   if (now.kind === "kept") return now.origin?.photograph ?? null;
@@ -55,10 +55,17 @@ export async function croppedPhotograph(): Promise<KeptPhotograph | null> {
   );
   const context = canvas.getContext("2d");
   if (!context) return null;
+  const [x0, y0, x1, y1] = box;
+  context.beginPath();
+  for (let i = 0; i + 1 < points.length; i += 2) {
+    context.lineTo(
+      (((points[i] ?? 0) - x0) / (x1 - x0)) * canvas.width,
+      ((y1 - (points[i + 1] ?? 0)) / (y1 - y0)) * canvas.height,
+    );
+  }
+  context.clip();
   context.imageSmoothingQuality = "high";
   context.drawImage(bitmap, left, top, across, down, 0, 0, canvas.width, canvas.height);
-  const blob = await canvas.convertToBlob({ type: "image/webp", quality: QUALITY });
-  // Not every browser writes WebP.
-  const small = blob.type === "image/webp";
-  return { box, blob: small ? blob : await canvas.convertToBlob({ type: "image/jpeg", quality: QUALITY }) };
+  // A browser that does not write WebP gives a PNG.
+  return { box, blob: await canvas.convertToBlob({ type: "image/webp", quality: QUALITY }) };
 }

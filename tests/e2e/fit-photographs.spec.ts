@@ -1,0 +1,79 @@
+import { expectClean } from "./axe";
+import { apart, FitTool, file, inLeaf, PAPER, png, type Rgb } from "./fit-tool";
+import { expect, test } from "./fixture";
+
+test.use({ alone: true });
+
+const RED: Rgb = [190, 40, 40];
+const BLUE: Rgb = [40, 70, 190];
+
+/** A leaf of one colour, its upper half a darker one, taller or wider. */
+const leaf = (colour: Rgb, across: number, up: number) =>
+  png(300, 300, (x, y) => {
+    if (!inLeaf(150 + (x - 150) / across, 150 + (y - 150) / up, 150, 150, 125)) return PAPER;
+    return y < 150 ? (colour.map((part) => Math.round(part / 2)) as Rgb) : colour;
+  });
+
+test("two leaves become each other with their photographs, which a reload finds on the shelf", async ({
+  page,
+}) => {
+  const tool = new FitTool(page);
+  await tool.openFew(40);
+  for (const [name, picture, end] of [
+    ["red", leaf(RED, 1, 0.8), "A"],
+    ["blue", leaf(BLUE, 0.7, 1), "B"],
+  ] as const) {
+    await tool.input.setInputFiles(file(picture, `${name}.png`));
+    await page.getByRole("button", { name: "Fit this outline" }).click();
+    await tool.fitted();
+    await page.getByRole("button", { name: "Keep this fit" }).click();
+    await expect(page.getByRole("button", { name: "It is kept" })).toBeVisible();
+    await page.getByRole("button", { name: `Use as ${end}` }).click();
+    await expect(page.getByRole("slider", { name: "Time", exact: true })).toBeVisible();
+    if (end === "A") await page.getByRole("link", { name: "Fit", exact: true }).click();
+  }
+
+  const shown = page.getByRole("switch", { name: "Their photographs" });
+  /** The colours below and above the middle of the picture, once it is drawn. */
+  const middle = async (): Promise<[Rgb, Rgb]> => {
+    await page.evaluate(() => window.frond?.drawn());
+    return page.evaluate(async () => {
+      const { width, height, data } = (await window.frond?.readPixels("main")) ?? {
+        width: 0,
+        height: 0,
+        data: [],
+      };
+      const at = (down: number): [number, number, number] => {
+        const i = 4 * (Math.round(down * height) * width + (width >> 1));
+        return [data[i] ?? 0, data[i + 1] ?? 0, data[i + 2] ?? 0];
+      };
+      return [at(0.66), at(0.36)];
+    });
+  };
+  const near = (colour: Rgb, wanted: Rgb) => expect(apart(colour, wanted)).toBeLessThan(24);
+  const dark = (colour: Rgb) => colour.map((part) => part / 2) as Rgb;
+  const time = page.getByRole("slider", { name: "Time", exact: true });
+
+  for (const again of [false, true]) {
+    if (again) await page.reload();
+    await expect(shown).toBeChecked();
+    await time.focus();
+    await page.keyboard.press("Home");
+    let [below, above] = await middle();
+    near(below, RED);
+    near(above, dark(RED));
+    await page.keyboard.press("End");
+    [below, above] = await middle();
+    near(below, BLUE);
+    near(above, dark(BLUE));
+  }
+  await page.getByRole("spinbutton", { name: "Time in percent" }).fill("50");
+  await page.keyboard.press("Enter");
+  const half = RED.map((part, i) => (part + (BLUE[i] ?? 0)) / 2) as Rgb;
+  const [below, above] = await middle();
+  near(below, half);
+  near(above, dark(half));
+  await expectClean(page);
+  await shown.uncheck({ force: true });
+  expect(apart((await middle())[0], half)).toBeGreaterThan(24);
+});
