@@ -57,6 +57,11 @@ export const leafPicture = png(360, 400, (x, y) => {
   return y % 24 === 0 ? RULE : PAPER;
 });
 
+/** The same with a stalk. */
+export const stalkedPicture = png(360, 460, (x, y) =>
+  inLeaf(x, y, 180, 150, 140) || (Math.abs(x - 180) < 3 && y > 150 && y < 440) ? GREEN : PAPER,
+);
+
 export const twoLeaves = png(420, 240, (x, y) =>
   inLeaf(x, y, 115, 120, 105) || inLeaf(x, y, 315, 120, 80) ? GREEN : PAPER,
 );

@@ -1,7 +1,18 @@
 import { readFile } from "node:fs/promises";
 import type { Page } from "@playwright/test";
 import { expectClean } from "./axe";
-import { apart, blank, FitTool, file, GREEN, leafPicture, noise, png, twoLeaves } from "./fit-tool";
+import {
+  apart,
+  blank,
+  FitTool,
+  file,
+  GREEN,
+  leafPicture,
+  noise,
+  png,
+  stalkedPicture,
+  twoLeaves,
+} from "./fit-tool";
 import { expect, test } from "./fixture";
 
 const source = (page: Page) => page.getByTestId("source").locator("span");
@@ -116,6 +127,32 @@ test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and 
     await notice.getByRole("button", { name: "Undo" }).click();
     expect((await tool.scene()).curves).toBeUndefined();
   });
+});
+
+test("a stalk is proposed to be taken off where the fit is used, and stays off", async ({ page }) => {
+  const tool = new FitTool(page);
+  await tool.openFew(24);
+  await tool.input.setInputFiles(file(stalkedPicture, "leaf.png"));
+  await page.getByRole("button", { name: "Fit this outline" }).click();
+  await tool.fitted();
+  const about = source(page).last();
+  const whole = await about.textContent();
+  const use = page.getByRole("region", { name: "Use it" });
+  await expect(use.getByRole("button", { name: "Use as B" })).toBeInViewport();
+  await expect(use).toContainText(/It has a stalk, \d+% as long as the whole/);
+  await use.getByRole("button", { name: "Take off the stalk" }).click();
+  await expect(use).not.toContainText("It has a stalk");
+  await expect(about).not.toHaveText(whole ?? "");
+  await tool.fitted();
+  const without = await about.textContent();
+
+  await use.getByRole("button", { name: "Use as B" }).click();
+  await expect(page.getByRole("slider", { name: "Time", exact: true })).toBeVisible();
+  await page.getByRole("banner").getByRole("button", { name: "Undo", exact: true }).click();
+  await page.getByRole("link", { name: "Fit", exact: true }).click();
+  await tool.status.waitFor();
+  await expect(about).toHaveText(without ?? "");
+  await expect(use).not.toContainText("It has a stalk");
 });
 
 test("a brush mends the mask, by mouse and by keys, and strokes are taken back", async ({ page }) => {

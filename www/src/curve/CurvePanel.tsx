@@ -16,9 +16,9 @@ import type { Colouring } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { Along } from "./Along";
 import curveCss from "./curve.module.css";
-import { factsNow, watchFacts } from "./facts";
+import { factsAlong, factsNow, watchFacts } from "./facts";
 import { SaveButtons } from "./SaveButtons";
-import { crossingWords, matchWords, sizeWords } from "./words";
+import { crossingWords, matchWords, sizeWords, unlikeWords, wayWords } from "./words";
 
 /** What is shown of curves in place of a morph's panel. */
 interface CurvePanelProps {
@@ -115,7 +115,8 @@ function Way() {
       <p class="hint">
         {same
           ? "Both ends are the same curve: choose another for one of them to have a morph."
-          : "An outline made of smaller copies of its own arcs. Knots move, edges go along, and nothing can come apart."}
+          : wayWords(worst.value)}{" "}
+        Outlines morph with outlines only.
       </p>
       <table class={curveCss["curve-table"]}>
         <thead>
@@ -140,6 +141,7 @@ function Way() {
         </tbody>
       </table>
       {!same && now && <p class="hint">{matchWords(a.knots, b.knots, now.knots)}</p>}
+      {!same && now && <Unlike a={a.knots} b={b.knots} both={now.knots} />}
       {!same && (
         <>
           <h3 class={curveCss["curve-sub"]}>How rough it is on the way</h3>
@@ -149,6 +151,14 @@ function Way() {
       {now && now.crossings > 0 && <p class="hint">Just now it {crossingWords(now.crossings)}.</p>}
     </section>
   );
+}
+
+/** How often it crosses itself where it does so most, as far as the way was looked at. */
+const worst = computed(() => Math.max(0, ...factsAlong.value.map(({ crossings }) => crossings)));
+
+function Unlike({ a, b, both }: { a: number; b: number; both: number }) {
+  const words = unlikeWords(a, b, both, worst.value);
+  return words === null ? null : <p class="notes">{words}</p>;
 }
 
 function figure(dimension: number): string {

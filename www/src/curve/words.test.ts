@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { crossingWords, matchWords, sizeWords, whyWords } from "./words";
+import { crossingWords, matchWords, sizeWords, unlikeWords, wayWords, whyWords } from "./words";
 
 const knots = (count: number): [number, number][] => Array.from({ length: count }, (_, i) => [i, i * i]);
 
@@ -30,6 +30,18 @@ describe("what is said of a curve", () => {
     );
     // Refined so far that nothing can be said of partners.
     expect(matchWords(10, 10, 30)).toBe("30 knots on the way.");
+  });
+
+  it("does not promise a way without crossings where there are some", () => {
+    expect(wayWords(0)).toContain("nothing can come apart");
+    expect(wayWords(35)).toContain("crosses itself, 35 times where it does most");
+    expect(wayWords(35)).not.toContain("nothing");
+  });
+
+  it("tells of a stalk where few knots have a partner and the curve crosses itself", () => {
+    expect(unlikeWords(102, 116, 213, 35)).toContain("stalk");
+    expect(unlikeWords(102, 116, 213, 0)).toBeNull();
+    expect(unlikeWords(102, 116, 150, 3)).toBeNull();
   });
 
   it("says why it holds together, of a morph and of one curve", () => {

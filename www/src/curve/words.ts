@@ -25,6 +25,20 @@ export function whyWords(ends: { a: string; b: string } | null): string {
   return `${edges} There is no place where it could come apart.${between}`;
 }
 
+/** What is true of the whole way, given how often the curve crosses itself where it does so most. */
+export function wayWords(worst: number): string {
+  return worst > 0
+    ? `An outline made of smaller copies of its own arcs. It stays one closed curve, but on the way it ${crossingWords(worst).replace("itself", "itself,")} where it does most: parts of it lie over others.`
+    : "An outline made of smaller copies of its own arcs. Knots move, edges go along, and nothing can come apart.";
+}
+
+/** Where too few knots have a partner for the way to look like one leaf that changes: what helps. */
+export function unlikeWords(a: number, b: number, both: number, worst: number): string | null {
+  const met = a + b - both;
+  if (worst === 0 || met > Math.min(a, b) / 4) return null;
+  return "So few have partners that one outline shrinks while the other grows. A stalk on one of them is the usual reason: Fit takes it off, in step 1 of a photograph.";
+}
+
 /** How the knots of two curves were brought together, given how many there are in common. */
 export function matchWords(a: number, b: number, both: number): string {
   const met = a + b - both;

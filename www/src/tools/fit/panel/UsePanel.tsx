@@ -6,7 +6,9 @@ import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";
 import { bendPhotograph, use, waiting } from "../use";
 import { plainName, running, shownFigures, shownFit } from "../work/fitting";
+import { changeMask } from "../work/mask";
 import { source } from "../work/source";
+import { stalk } from "../work/stalked";
 
 /** Only what waits can be taken back. */
 const heldFor = (to: Use) => (waiting.value === to ? { pressed: true } : {});
@@ -49,6 +51,17 @@ export function UsePanel() {
           </Button>
         )}
       </div>
+      {stalk.value > 0 && (
+        <div class="notes stack">
+          <p>
+            It has a stalk, {Math.round(100 * stalk.value)}% as long as the whole. Between a leaf with a stalk
+            and one without, few knots may find a partner, and the way may cross itself.
+          </p>
+          <Button onClick={() => changeMask((now) => ({ ...now, stalk: "remove" }))}>
+            Take off the stalk
+          </Button>
+        </div>
+      )}
       {!closed && <p class="hint">The closed curve is what is morphed and bent: it has no gaps.</p>}
       <div class="row">
         <span class="row-name">Save as</span>
