@@ -60,11 +60,12 @@ function Outline() {
           <CutPanel />
         </>
       )}
+      {/* Where it goes stands above all that can be read of it. */}
+      <UsePanel />
       <OutlinePanel />
       <ModelPanel />
       <FiguresPanel />
       <CopiesPanel />
-      <UsePanel />
       <KeptPanel />
       {narrow.value && <Layers />}
       <PanelFoot />
