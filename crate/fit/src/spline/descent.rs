@@ -29,6 +29,9 @@ const NODES_A_STEP: usize = 16;
 /// The most moves of a node in a row.
 const MOVES: usize = 6;
 
+/// How far a node is moved, in steps each way, so that a curve crosses itself less.
+const UNTANGLING: i32 = 2;
+
 /// A price that changes by so much has all nodes looked at again.
 const OTHER_PRICE: f64 = 1.02;
 
@@ -193,10 +196,52 @@ impl Descent {
         if !self.guarded {
             return true;
         }
+        let met = self.met((from, many), nodes);
+        met == 0 || met <= self.met((from, many), old)
+    }
+
+    /// How often the window's nodes, in the place of `many` nodes from `from` on, meet themselves and the rest.
+    fn met(&self, (from, many): (usize, usize), nodes: &[Node]) -> usize {
         let count = self.nodes.len();
-        let rest = || (from + many - 2..=from + count + 1).map(|i| &self.nodes[i % count]);
-        let met = meetings(nodes, rest());
-        met == 0 || met <= meetings(old, rest())
+        meetings(nodes, (from + many - 2..=from + count + 1).map(|i| &self.nodes[i % count]))
+    }
+
+    /// Moves nodes whose stretch meets something to where it meets less, at the least cost. False where that is none.
+    ///
+    /// A curve that was put on the grid may cross itself where the outline only comes near to that.
+    fn untangle(&mut self) -> bool {
+        let mut changed = false;
+        for i in 0..self.nodes.len() {
+            let count = self.nodes.len();
+            let from = i + count - REACH;
+            self.open(from, from + 2 * REACH);
+            let old = self.window.nodes.clone();
+            let (span, k) = ((from - 1, old.len()), REACH + 1);
+            let met = self.met(span, &old);
+            if met == 0 {
+                continue;
+            }
+            self.window.hold_rest(k);
+            let mut best = (met, f64::INFINITY, old[k]);
+            for y in -UNTANGLING..=UNTANGLING {
+                for x in -UNTANGLING..=UNTANGLING {
+                    let at = old[k].at + DVec2::new(f64::from(x), f64::from(y));
+                    self.window.nodes[k] = Node { at, on: true };
+                    let cost = self.cost(k, f64::INFINITY);
+                    let fewer = self.met(span, &self.window.nodes);
+                    if fewer < best.0 || fewer == best.0 && fewer < met && cost < best.1 {
+                        best = (fewer, cost, self.window.nodes[k]);
+                    }
+                }
+            }
+            if best.0 < met {
+                self.nodes[i] = best.2;
+                self.mark(i);
+                self.unsettle(i);
+                changed = true;
+            }
+        }
+        changed
     }
 
     /// The mark of a node, between those of its neighbours.
@@ -365,8 +410,9 @@ impl Descent {
         }
         let done = self.changes * 200 < self.nodes.len() && self.sweep > 0;
         self.greed = 1.0;
+        let untangled = self.guarded && (done || self.sweep == 0) && self.untangle();
         (self.sweep, self.next, self.changes) = (self.sweep + 1, 0, 0);
         self.learn();
-        !done && self.sweep < SWEEPS
+        (!done || untangled) && self.sweep < SWEEPS
     }
 }
