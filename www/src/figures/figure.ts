@@ -38,6 +38,8 @@ interface Needing {
 export interface Row {
   id: string;
   name: string;
+  /** Who wrote it, as each page of a paper says. */
+  paper?: string;
   title: string;
   about: string;
   figures: readonly Figure[];

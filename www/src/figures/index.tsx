@@ -184,7 +184,7 @@ function TopNav({ row, figure: here }: Found) {
   return (
     <nav class={figuresCss["figure-top"]} aria-label={row.name}>
       {lesson ? <a href="#learn">All lessons</a> : <a href="#figures">All figures</a>}
-      {lesson && <span class={figuresCss["unit"]}>{row.title}</span>}
+      <span class={figuresCss["unit"]}>{lesson ? row.title : row.paper}</span>
       <ol>
         {row.figures.map((figure) => (
           <li key={figure.id}>

@@ -10,6 +10,7 @@ export const ROWS: readonly Row[] = [
   {
     id: "from-the-paper",
     name: "Figures",
+    paper: "Burch & Hart 1997",
     title: "Shapes that turn into others",
     about:
       "The figures and the table of “Linear Fractal Shape Interpolation” by Brandon Burch and John C. Hart (Graphics Interface 1997), as pages in which everything moves. All of it is computed here, while you look.",
@@ -92,6 +93,7 @@ export const ROWS: readonly Row[] = [
   {
     id: "deformation",
     name: "Figures of the deformation",
+    paper: "Fujimoto, Ohno, Muraoka & Chiba",
     title: "Shapes that are bent at every scale",
     about:
       "The figures of “Fractal Deformation Using Displacement Vectors Based on Extended Iterated Shuffle Transformation” by Tadahiro Fujimoto, Yoshio Ohno, Kazunobu Muraoka and Norishige Chiba: pull a grid, and every part of the shape answers.",
@@ -164,6 +166,7 @@ export const ROWS: readonly Row[] = [
   {
     id: "rough-curves",
     name: "Figures of rough curves",
+    paper: "Cochran, Hart & Flynn",
     title: "Rough curves from a few maps",
     about:
       "The figures and tables of “On Approximating Rough Curves With Fractal Functions” by Wayne O. Cochran, John C. Hart and Patrick J. Flynn: functions made of copies of themselves, the search for their maps, and the outline of a leaf.",
@@ -265,6 +268,7 @@ export const ROWS: readonly Row[] = [
   {
     id: "in-space",
     name: "Figures of space",
+    paper: "Darwish & Abd-El-Wahab",
     title: "Shapes in space, moved by their parameters",
     about:
       "The figures of “IFS Fractal Animation” by Nevin M. Darwish and Reda Abd-El-Wahab, rebuilt, as their print is cut off: to turn a shape is to turn its maps, and each frame is a set of parameters.",
