@@ -273,7 +273,8 @@ impl BoxFill<'_> {
 
     /// Decides an area that seems connected.
     fn join(&mut self, area: Area, extent: Extent, open: usize) -> bool {
-        let worth = open >= LEAST_OPEN_TO_CROSS;
+        // Where too much was spent in vain, nothing is set up for crossings either.
+        let worth = open >= LEAST_OPEN_TO_CROSS && self.debt <= MOST_DEBT;
         let (m, [nearest, farthest]) = (self.family.is_set_m(), extent.distances());
         // The areas of two maps may fill the plane in a box of any size.
         let filled = m && nearest * nearest > 0.5 + 1e-9 && farthest < 1.0 - 1e-9;
@@ -293,7 +294,7 @@ impl BoxFill<'_> {
 
     /// Whether pieces cross throughout the box that the lanes are set for.
     fn crosses(&mut self) -> bool {
-        if self.descent.lanes.stray() > LARGEST_STRAY || self.debt > MOST_DEBT {
+        if self.descent.lanes.stray() > LARGEST_STRAY {
             return false;
         }
         self.descent.set_support();
