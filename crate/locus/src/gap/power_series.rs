@@ -170,8 +170,19 @@ impl PowerSeries {
     /// How far the least value found is from 0, where it is known that none is much nearer: by the part
     /// [`BRACKET_WIDTH`] at most. Or a value not farther than `near`.
     fn least(&mut self, near: f64) -> Option<f64> {
+        // Whether any is near is soon told, as all that leads to farther ones is left out; and the least that was met
+        // on the way leaves little to look at for the least of all.
+        let met = self.search(near, f64::INFINITY, |_| near)?;
+        if met <= near {
+            return Some(met);
+        }
+        self.search(near, met, |least| (1.0 - BRACKET_WIDTH) * least)
+    }
+
+    /// The distance from 0 of the least value found, or of one not farther than `near`; `least` is that of one known.
+    /// Sums that lead to none nearer than `far` of the least are left out.
+    fn search(&mut self, near: f64, mut least: f64, far: impl Fn(f64) -> f64) -> Option<f64> {
         let Self { terms, spans, open } = self;
-        let mut least = f64::INFINITY;
         open.clear();
         open.push((terms[0], 1));
         for _ in 0..MOST_SUMS {
@@ -184,7 +195,7 @@ impl PowerSeries {
             let [first, second] = along(at);
             let apart = (first.abs() - spans[k][0]).max(second.abs() - spans[k][1]);
             let [a, b, c, d] = apart.to_array();
-            if larger(larger(a, b), larger(c, d)) >= (1.0 - BRACKET_WIDTH) * least {
+            if larger(larger(a, b), larger(c, d)) >= far(least) {
                 continue;
             }
             let &term = terms.get(k)?;
