@@ -141,6 +141,7 @@ impl Scratch {
         let Ask { polygon, bounds, start, trails_alone } = ask;
         let Self { frame, support, greedy, words, differences, series, search, trails, .. } = self;
         trails.clear();
+        search.forget_looks();
         let equal = polygon || difference_set::are_equal(maps);
         let proved = equal && difference_set::fill(&maps[0]);
         if proved && !bounds && maps[0].norm() < 1.0 - 1e-9 && maps.iter().all(|map| map.is_finite()) {

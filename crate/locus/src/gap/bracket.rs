@@ -44,6 +44,16 @@ impl CutSearch {
         self.descent.begin(count, turn, true);
     }
 
+    /// Pairs of pieces looked at.
+    pub const fn looks(&self) -> usize {
+        self.descent.nodes
+    }
+
+    /// Counts them anew.
+    pub const fn forget_looks(&mut self) {
+        self.descent.nodes = 0;
+    }
+
     /// Joins pieces that `meet`, for certain.
     pub fn join_proved(&mut self, meet: impl Fn(usize, usize) -> bool) {
         for (i, j) in self.descent.pairs() {

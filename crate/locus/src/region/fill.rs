@@ -70,6 +70,7 @@ impl LocusGrid {
             starts: Starts::default(),
             series: PowerSeriesBoxes::default(),
             debt: 0.0,
+            looks_alone: 0.0,
         };
         if count > 0 {
             patch.fill(Area { x0: x.start, y0: y.start, x1: x.end - 1, y1: y.end - 1 });
@@ -115,14 +116,21 @@ struct BoxFill<'a> {
     series: PowerSeriesBoxes,
     /// Looks that were spent on crossings in vain, less what the samples decided since then are worth.
     debt: f64,
+    /// How many looks a disconnected sample took on its own of late.
+    looks_alone: f64,
 }
 
 /// Boxes of fewer open samples are not worth an attempt.
 const LEAST_OPEN: usize = 4;
 /// The same for crossings, which take longer to find.
 const LEAST_OPEN_TO_CROSS: usize = 40;
-/// Looks spent at most on telling the pieces of a box apart.
+/// Looks spent on telling the pieces of a box apart: so many, or more where its samples would take many on their own.
 const LOOKS_TO_SEPARATE: usize = 150;
+const MOST_LOOKS_TO_SEPARATE: usize = 1200;
+/// Of what they would take, as a look at a box takes some fifteen times as long as one at a sample, and mostly in vain.
+const LOOKS_OF_A_BOX: f64 = 0.01;
+/// How much one sample says of how many looks others take.
+const SHARE_OF_ONE: f64 = 0.1;
 /// How hard to look for crossings in a box.
 const EFFORT_TO_CROSS: Effort = Effort { looks: 80, tries: 150, near: 2e-3 };
 /// Looks that a sample decided on its own is worth: where crossings are hard to find, at most about as long is spent on
@@ -158,6 +166,9 @@ impl BoxFill<'_> {
             starts.keep((x, y), scratch.trails());
             sample
         };
+        if sample.state == State::Disconnected {
+            self.looks_alone += SHARE_OF_ONE * (self.scratch.search.looks() as f64 - self.looks_alone);
+        }
         self.debt = (self.debt - LOOKS_PER_SAMPLE).max(0.0);
         self.tile.state[i] = sample.state as u8;
         self.tile.gap[i] = sample.gap;
@@ -209,7 +220,7 @@ impl BoxFill<'_> {
         if apart != (middle.state == State::Disconnected) || whole != middle.state.holds() {
             return false;
         }
-        if apart { self.part(area, extent, corners, middle) } else { self.join(area, extent, open) }
+        if apart { self.part(area, extent, corners, middle, open) } else { self.join(area, extent, open) }
     }
 
     /// How many samples of an area are not decided yet.
@@ -220,7 +231,14 @@ impl BoxFill<'_> {
     }
 
     /// Decides an area that seems disconnected.
-    fn part(&mut self, area: Area, extent: Extent, corners: &[Sample; 4], middle: Sample) -> bool {
+    fn part(
+        &mut self,
+        area: Area,
+        extent: Extent,
+        corners: &[Sample; 4],
+        middle: Sample,
+        open: usize,
+    ) -> bool {
         let Area { x0, y0, x1, y1 } = area;
         let gaps = corners.map(|sample| f64::from(sample.gap));
         let narrowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
@@ -239,22 +257,28 @@ impl BoxFill<'_> {
         let proved = if self.family.is_set_m() {
             self.far_from_m(extent, narrowest)
         } else {
-            self.apart(extent, narrowest)
+            self.apart(extent, narrowest, self.looks_for(open))
         };
         let Some(proved) = proved.filter(|&proved| proved > self.epsilon) else { return false };
         self.cover(area, State::Disconnected, |x, y| shade(x, y).max(proved) as f32);
         true
     }
 
+    /// How many looks to spend at most on telling the pieces of a box of so many open samples apart.
+    fn looks_for(&self, open: usize) -> usize {
+        let worth = open as f64 * self.looks_alone * LOOKS_OF_A_BOX;
+        (worth as usize).clamp(LOOKS_TO_SEPARATE, MOST_LOOKS_TO_SEPARATE)
+    }
+
     /// A lower bound of the widest gap over its diameter, over a box where it seems no narrower than `narrowest`.
-    fn apart(&mut self, extent: Extent, narrowest: f64) -> Option<f64> {
+    fn apart(&mut self, extent: Extent, narrowest: f64, looks: usize) -> Option<f64> {
         let lanes = &mut self.descent.lanes;
         if !lanes.set(self.family, extent, &mut self.scratch.frame) || lanes.widest_margin() > 2.0 * narrowest
         {
             return None;
         }
         self.descent.set_support();
-        let least = self.descent.separate(0.7 * narrowest, LOOKS_TO_SEPARATE)?;
+        let least = self.descent.separate(0.7 * narrowest, looks)?;
         // Lengths of the plane are between so many times those of the lanes.
         let (long, short) = Affine2::new(self.descent.lanes.from_round, DVec2::ZERO).singular_values();
         Some(least * short / (self.descent.diameter().1 * long) * (1.0 - 1e-12))
