@@ -154,8 +154,8 @@ impl Scratch {
         if let Some(known) = known.filter(|_| !bounds) {
             return known;
         }
-        match frame.set(maps) {
-            Ok(()) => {}
+        match frame.set_like(maps, start.and_then(|start| start.coordinates.as_ref())) {
+            Ok(found) => trails.coordinates = found.filter(|found| start.is_some() && found.length == 1),
             Err(IfsError::Unproved) => return Bounded::unknown(State::Undecided),
             // Too large to compute with, which says nothing about the attractor.
             Err(IfsError::NotFinite { .. }) if maps.iter().all(|map| map.is_finite()) => {

@@ -64,16 +64,30 @@ impl Default for Frame {
 impl Frame {
     /// Sets the frame up for raw maps; the cheap test first, [`Contraction::find`] where it fails.
     pub fn set(&mut self, maps: &[Affine2]) -> Result<(), IfsError> {
+        self.set_like(maps, None).map(|_| ())
+    }
+
+    /// [`Frame::set`], in the coordinates of maps `like` these if they serve; returns those that were used, where they
+    /// are not the plane's own.
+    pub fn set_like(
+        &mut self,
+        maps: &[Affine2],
+        like: Option<&Contraction>,
+    ) -> Result<Option<Contraction>, IfsError> {
         let fits = |x: f64| x.abs() < 1e100;
         let plain =
             |map: &Affine2| map.norm() < PLAIN_FACTOR && fits(map.translation.x) && fits(map.translation.y);
         // Comparisons with NaN are false, so that bad numbers go the long way and get their message.
         if !maps.is_empty() && maps.iter().all(plain) {
             self.set_plain(maps);
-        } else {
-            self.set_round(maps, &Contraction::find(maps)?);
+            return Ok(None);
         }
-        Ok(())
+        let found = match like.and_then(|like| Contraction::in_coordinates_of(like, maps)) {
+            Some(found) => found,
+            None => Contraction::find(maps)?,
+        };
+        self.set_round(maps, &found);
+        Ok(Some(found))
     }
 
     fn set_plain(&mut self, maps: &[Affine2]) {

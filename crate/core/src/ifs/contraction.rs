@@ -38,6 +38,11 @@ const LARGEST_NUMBER: f64 = 1e100;
 const NEUTRAL_RADIUS: f64 = 1.0 - 1e-10;
 /// Maps that shrink at least so much in some coordinates are their own blocks.
 const SHRINKING_NORM: f64 = 1.0 - 1e-9;
+/// What maps are to leave of 1 when they shrink in the coordinates of others: to slower ones the best are worth more
+/// than the time it takes to find them.
+const LEAST_ROOM: f64 = 0.1;
+/// And so much of what those others leave.
+const LEAST_ROOM_LEFT: f64 = 0.95;
 /// How many words may be looked at before giving up, and how long they may be.
 const MOST_WORDS: usize = 20_000;
 const MOST_LETTERS: usize = 48;
@@ -71,6 +76,19 @@ impl<D: Dimension> Contraction<D> {
             return Ok(Self::with_blocks(maps, round, factor, 1));
         }
         Self::search(maps, round)
+    }
+
+    /// The same in coordinates in which `other` maps contract, such as are much like these: `None` where these do not
+    /// contract there map by map, and about as fast.
+    #[must_use]
+    pub fn in_coordinates_of(other: &Self, maps: &[Affine<D>]) -> Option<Self> {
+        let round = [other.to_round, other.from_round];
+        check(maps).ok()?;
+        let factor = worst_norm(maps, round);
+        // NaN is refused, too.
+        let room = 1.0 - factor;
+        let fast = room >= LEAST_ROOM && room >= LEAST_ROOM_LEFT * (1.0 - other.factor);
+        (other.length == 1 && fast).then(|| Self::with_blocks(maps, round, factor, 1))
     }
 
     fn with_blocks(

@@ -1,5 +1,7 @@
 //! Ways to points that are near, to be followed in a system much like theirs.
 
+use frond_core::Contraction;
+
 /// A step into a part of one of two pieces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Step {
@@ -10,8 +12,10 @@ pub(crate) struct Step {
 }
 
 /// For some pairs of attractorlets the steps that lead into them to two points near each other.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Trails {
+    /// The coordinates in which they were looked for, where these are not the plane's own.
+    pub coordinates: Option<Contraction>,
     /// The pairs, and where the steps of each end.
     pairs: Vec<(u8, u8, usize)>,
     steps: Vec<Step>,
@@ -19,6 +23,7 @@ pub(crate) struct Trails {
 
 impl Trails {
     pub fn clear(&mut self) {
+        self.coordinates = None;
         self.pairs.clear();
         self.steps.clear();
     }
