@@ -79,8 +79,14 @@ test("a handout asks and does not tell, and has its answers on a page of their o
 test("a sheet goes to a class, and its answers come back as a table", async ({ page }) => {
   await page.goto("./#learn/class");
   await page.getByLabel("Its title").fill("Class 9b");
-  await page.getByLabel("Two pieces that touch").check();
+  await page.getByRole("checkbox", { name: "Two pieces that touch" }).check();
   await page.getByText("Shapes of the gallery").click();
+  await page.getByRole("checkbox", { name: "Gasket", exact: true }).check();
+  await page.getByRole("textbox", { name: "Gasket", exact: true }).fill("Count its <b>copies</b>");
+  // A sheet in the making is there after a reload.
+  await page.reload();
+  await expect(page.getByLabel("Its title")).toHaveValue("Class 9b");
+  await expect(page.getByRole("textbox", { name: "Gasket", exact: true })).toHaveValue(/^Count/);
   await page.getByLabel("Links that you have copied").fill("https://x/#learn/e7/at=question nonsense");
   await expect(page.getByText("One line is left out")).toBeVisible();
   await expect(page.getByRole("img", { name: "QR code of the link" })).toBeVisible();
@@ -98,13 +104,17 @@ test("a sheet goes to a class, and its answers come back as a table", async ({ p
   await expect(save).toBeDisabled();
   await page.getByLabel("Your name").fill("Ana");
   await page.getByLabel(/What did you find\? .*Two pieces/).fill("They part below 0.4");
-  await page.getByRole("checkbox", { name: "done" }).check();
+  await expect(page.getByText("Count its <b>copies</b>")).toBeVisible();
+  await page.getByRole("checkbox", { name: "done" }).first().check();
   // What was written is there after a visit elsewhere.
   await page.getByRole("link", { name: /Two pieces that touch/ }).click();
-  await page.goBack();
+  await page.getByRole("link", { name: "Back to the class sheet" }).click();
   await expect(page.getByLabel("Your name")).toHaveValue("Ana");
+  await page.getByRole("link", { name: "Gasket" }).click();
+  await page.getByRole("complementary").getByRole("link", { name: "Back to the class sheet" }).click();
   const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
   expect(download.suggestedFilename()).toBe("answers-ana.json");
+  await expect(page.getByText("Saved as answers-ana.json")).toBeVisible();
   const file = await readFile(await download.path());
 
   await page.evaluate(() => location.assign("#learn/class"));

@@ -1,5 +1,6 @@
 import type { ComponentType } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { sheetBehind } from "#document/kept/sheet";
 import type { Place } from "#document/link";
 import { notify, wordsOf } from "#document/notice";
 import { Button } from "#ui/controls/Button";
@@ -181,8 +182,10 @@ interface Found {
 /** Every page of the same row by its number. */
 function TopNav({ row, figure: here }: Found) {
   const lesson = lessonOf(here);
+  const sheet = sheetBehind();
   return (
     <nav class={figuresCss["figure-top"]} aria-label={row.name}>
+      {sheet && <a href={sheet}>Back to the class sheet</a>}
       {lesson ? <a href="#learn">All lessons</a> : <a href="#figures">All figures</a>}
       <span class={figuresCss["unit"]}>{lesson ? row.title : row.paper}</span>
       <ol>

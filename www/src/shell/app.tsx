@@ -2,6 +2,7 @@
 import { signal, useSignalEffect } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
+import { sheetBehind } from "#document/kept/sheet";
 import { type Place, route } from "#document/link";
 import { notify, wordsOf } from "#document/notice";
 import { exportOpen } from "#film/open";
@@ -45,6 +46,7 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
   }, []);
   const { entry, tool } = openedTool();
   const { Stage, Overlay, Verdict, Evidence, Panel, Strip } = tool ?? {};
+  const sheet = sheetBehind();
   return (
     <main class="studio">
       <h1 class="unseen">{entry.title}</h1>
@@ -64,6 +66,11 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
         </section>
       )}
       <aside class="side" aria-label={entry.side}>
+        {sheet && (
+          <a class={css["back"]} href={sheet}>
+            Back to the class sheet
+          </a>
+        )}
         {Panel && <Panel />}
       </aside>
       <div class="time">{Strip && <Strip />}</div>

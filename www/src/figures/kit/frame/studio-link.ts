@@ -15,6 +15,8 @@ interface Opening {
   locus?: NonNullable<Scene["locus"]>;
   /** Opens the tool that bends shapes. */
   deform?: Deformation;
+  /** Opens another tool than the morph. */
+  tool?: Scene["tool"];
 }
 
 /** A link that opens the studio on a figure: the document is in its fragment. */
@@ -28,6 +30,7 @@ export function studioHref({
   correspondence = [],
   locus,
   deform,
+  tool,
 }: Opening): string {
   const scene: Scene = {
     a: tidy(a),
@@ -40,6 +43,7 @@ export function studioHref({
     colouring: deform?.tint ? "grid" : "map",
     compare,
     ...(locus ? { locus } : {}),
+    ...(tool ? { tool } : {}),
     ...(deform ? { tool: "deform", deform } : {}),
   };
   return `#${frond.encodeScene(scene)}`;

@@ -1,12 +1,24 @@
 import { describe, expect, it } from "vitest";
 import { type Answers, askedOf, latest, read, written } from "./answers";
-import { EMPTY, itemsOf, linksIn, type Sheet, sheetAddress, sheetIn } from "./sheet";
+import {
+  EMPTY,
+  fits,
+  itemsOf,
+  linksIn,
+  type Sheet,
+  sheetAddress,
+  sheetIn,
+  sheetKept,
+  sheetOfKept,
+  sheetOfLink,
+} from "./sheet";
 
 const SHEET: Sheet = {
   title: "Class 9b, “M” & more",
   lessons: ["e12", "e7"],
   shapes: ["gasket"],
   links: ["learn/e7/at=question&guess=0.3", "v=1&a=koch"],
+  tasks: { e7: "When do they part? <b>&", "shape:gasket": "Drei Äpfel" },
 };
 
 describe("a sheet", () => {
@@ -22,6 +34,30 @@ describe("a sheet", () => {
   it("says when a part of it was lost", () => {
     const found = sheetIn("lessons=e1,e2&shapes=a%20b");
     expect(found).toEqual({ sheet: { ...EMPTY, lessons: ["e1", "e2"] }, whole: false });
+  });
+
+  it("keeps words for what is on it, a line of so many letters each", () => {
+    const tasks = { e12: `a\nb ${"x".repeat(300)}`, e9: "not on it", e7: "  " };
+    const found = sheetIn(sheetAddress({ ...SHEET, tasks }))?.sheet.tasks ?? {};
+    expect(Object.keys(found)).toEqual(["e12"]);
+    expect(found["e12"]).toBe(`a b ${"x".repeat(136)}`);
+  });
+
+  it("is told from what no link holds", () => {
+    expect(fits(SHEET)).toBe(true);
+    const links = Array.from({ length: 8 }, (_, i) => `v=${i}&a=${"1".repeat(800)}`);
+    expect(fits({ ...SHEET, links })).toBe(false);
+  });
+
+  it("in the making is kept as far as it goes, and opened from its link", () => {
+    for (const sheet of [EMPTY, SHEET, { ...EMPTY, title: "Only a title" }]) {
+      expect(sheetOfKept(sheetKept(sheet))).toEqual(sheet);
+    }
+    for (const text of [null, "", "{", "[]", "null", '{"lessons":7}', '"x"']) {
+      expect(sheetOfKept(text)).toEqual(EMPTY);
+    }
+    expect(sheetOfLink(` https://x/y/#learn/sheet/${sheetAddress(SHEET)} `)).toEqual(SHEET);
+    expect(sheetOfLink("https://x/#learn/e7")).toBeNull();
   });
 
   it("takes links of Frond, and tells what is none", () => {

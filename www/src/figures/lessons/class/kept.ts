@@ -1,4 +1,5 @@
-/** What a pupil has written on sheets; kept in this browser alone, the latest sheets only. */
+/** What pupils have written on sheets, and the sheet in the making; kept in this browser alone, the latest only. */
+import { type Sheet, sheetKept, sheetOfKept } from "./sheet";
 
 /** What is kept of a sheet. */
 export interface Kept {
@@ -23,6 +24,25 @@ function isKept(value: unknown): value is Kept {
     Array.isArray(seen) &&
     seen.every((item) => typeof item === "string")
   );
+}
+
+const DRAFT = "frond.sheet-made";
+
+/** The sheet that a teacher was making in this browser. */
+export function draft(): Sheet {
+  try {
+    return sheetOfKept(localStorage.getItem(DRAFT));
+  } catch {
+    return sheetOfKept(null);
+  }
+}
+
+export function keepDraft(sheet: Sheet): void {
+  try {
+    localStorage.setItem(DRAFT, sheetKept(sheet));
+  } catch {
+    // It lasts as long as the page.
+  }
 }
 
 const KEY = "frond.sheets";

@@ -10,7 +10,14 @@ export interface Item {
   name: string;
   /** Null for what this version of Frond has not. */
   href: string | null;
+  /** What is to be done, in the teacher's own words, or else what there is to do with a shape. */
+  task: string;
+  /** A shape of the gallery, by its id. */
+  shape?: string;
 }
+
+/** What a shape alone, opened where it is bent, is good for. */
+export const SHAPE_TASK = "Pull its handles: which parts follow, and how?";
 
 export function lessonName(id: string): string | null {
   const lesson = LESSONS.find((one) => one.id === id);
@@ -28,17 +35,26 @@ export function nameOf(item: string): string {
   return lessonName(item) ?? item;
 }
 
-export function itemsWithNames({ lessons, shapes, links }: Sheet): Item[] {
+export function itemsWithNames({ lessons, shapes, links, tasks }: Sheet): Item[] {
+  const taskOf = (key: string) => tasks[key] ?? "";
   const unknown = "not in this version of Frond";
   return [
     ...lessons.map((id) => {
       const name = lessonName(id);
-      return { key: id, name: name ?? `${id}, ${unknown}`, href: name === null ? null : `#learn/${id}` };
+      return {
+        key: id,
+        name: name ?? `${id}, ${unknown}`,
+        href: name === null ? null : `#learn/${id}`,
+        task: taskOf(id),
+      };
     }),
     ...shapes.map((id) => {
       const name = shapeName(id);
-      const href = name === null ? null : studioHref({ a: preset(id), b: preset(id) });
-      return { key: `shape:${id}`, name: name ?? `${id}, ${unknown}`, href };
+      const key = `shape:${id}`;
+      if (name === null) return { key, name: `${id}, ${unknown}`, href: null, task: taskOf(key) };
+      // Alone, and with something to do: a morph of a shape into itself has nothing to show.
+      const href = studioHref({ a: preset(id), b: preset(id), tool: "deform" });
+      return { key, name, href, task: taskOf(key) || SHAPE_TASK, shape: id };
     }),
     ...links.map((link, i) => {
       const [, id = ""] = /^learn\/(e\d+)/.exec(link) ?? [];
@@ -47,6 +63,7 @@ export function itemsWithNames({ lessons, shapes, links }: Sheet): Item[] {
         key: `link:${i + 1}`,
         name: name === null ? `Link ${i + 1}` : `${name}, as it was set`,
         href: `#${link}`,
+        task: taskOf(`link:${i + 1}`),
       };
     }),
   ];

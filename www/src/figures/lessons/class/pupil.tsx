@@ -1,10 +1,13 @@
 import { useContext, useEffect, useState } from "preact/hooks";
+import { cameFrom } from "#document/kept/sheet";
 import { Button } from "#ui/controls/Button";
 import { Icon } from "#ui/controls/Icon";
 import { download, plainName } from "#ui/files/download";
 import { QrCode } from "#ui/overlay/QrCode";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
+import { preset } from "../../kit/frame/studio-link";
+import { Fitted } from "../../kit/picture/fitted";
 import { Page } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
 import { done } from "../frame/done";
@@ -21,6 +24,10 @@ export function Pupil() {
   const { state } = useContext(Page);
   const found = sheetIn(state);
   useEffect(printHandouts, []);
+  const isSheet = found !== null;
+  useEffect(() => {
+    if (isSheet) cameFrom(state);
+  }, [state, isSheet]);
   return (
     <div class={`${css["page"]} ${css["sheet"]}`}>
       <p class={css["screen"]}>
@@ -47,10 +54,12 @@ function Filled({ sheet, whole, state }: FilledProps) {
   const marks = useValue(done);
   const [mine, setMine] = useState(() => keptOf(state));
   const [isKept, setIsKept] = useState(true);
+  const [saved, setSaved] = useState("");
   const items = itemsWithNames(sheet);
   const change = (part: Partial<typeof mine>) => {
     const next = { ...mine, ...part };
     setMine(next);
+    setSaved("");
     setIsKept(keep(next));
   };
   const isDone = (key: string) => (key.includes(":") ? mine.seen.includes(key) : marks.has(key));
@@ -66,12 +75,11 @@ function Filled({ sheet, whole, state }: FilledProps) {
         answer: mine.answers[key] ?? "",
       }),
     );
-    const saved = new Date().toISOString();
-    const text = written({ name: mine.name, title: sheet.title, saved, items: answers });
-    download(
-      new Blob([text], { type: "application/json" }),
-      `answers-${plainName(mine.name, "no-name")}.json`,
-    );
+    const now = new Date().toISOString();
+    const text = written({ name: mine.name, title: sheet.title, saved: now, items: answers });
+    const file = `answers-${plainName(mine.name, "no-name")}.json`;
+    download(new Blob([text], { type: "application/json" }), file);
+    setSaved(`Saved as ${file}, where your downloads are. Send this file to your teacher.`);
   };
   return (
     <>
@@ -103,10 +111,15 @@ function Filled({ sheet, whole, state }: FilledProps) {
         />
       </label>
       <ol class={css["items"]}>
-        {items.map(({ key, name, href }) => {
+        {items.map(({ key, name, href, task, shape }) => {
           const count = solved(key).length;
           return (
             <li key={key}>
+              {shape !== undefined && (
+                <div class={`${css["small"]} ${css["screen"]}`} aria-hidden="true">
+                  <Fitted of={preset(shape).maps} />
+                </div>
+              )}
               <div class={css["item-head"]}>
                 {href === null ? <span>{name}</span> : <a href={href}>{name}</a>}
                 {key.includes(":") ? (
@@ -132,6 +145,7 @@ function Filled({ sheet, whole, state }: FilledProps) {
                   </span>
                 )}
               </div>
+              {task !== "" && <p class={css["task"]}>{task}</p>}
               <label class={css["field"]}>
                 What did you find?
                 <textarea
@@ -153,7 +167,11 @@ function Filled({ sheet, whole, state }: FilledProps) {
           Save my answers
         </Button>
         {mine.name.trim() === "" && <p class={layout["hint"]}>Write your name first.</p>}
+        <p role="status">{saved}</p>
       </div>
+      <p class={`${css["open"]} ${css["screen"]}`}>
+        For teachers: <a href={`#learn/class/${state}`}>change this sheet</a>
+      </p>
     </>
   );
 }

@@ -10,37 +10,80 @@ export interface Sheet {
   shapes: readonly string[];
   /** What stands behind the # of links of Frond: lessons that are set to something, documents of the studio. */
   links: readonly string[];
+  /** What is to be done, in the teacher's own words, by the names that `itemsOf` gives. */
+  tasks: Readonly<Record<string, string>>;
 }
 
-export const EMPTY: Sheet = { title: "", lessons: [], shapes: [], links: [] };
+export const EMPTY: Sheet = { title: "", lessons: [], shapes: [], links: [], tasks: {} };
 
 /** More would fit no QR code, and no lesson of a school. */
-export const MOST = { title: 80, lessons: 60, shapes: 30, links: 8, link: 900 };
+export const MOST = { title: 80, lessons: 60, shapes: 30, links: 8, link: 900, task: 140 };
 
 const TITLE: Field<string> = text(/[^\n\r]{1,80}/u);
 const LESSONS = list(text(/e\d{1,4}/), 1, MOST.lessons);
 const SHAPES = list(text(/[\w-]{1,32}/), 1, MOST.shapes);
 const LINKS = list(text(/\S{1,900}/), 1, MOST.links, " ");
+/** A line for each: its name, a space, and words. */
+const TASKS = list(
+  text(/(?:e\d{1,4}|shape:[\w-]{1,32}|link:\d{1,2}) [^\n\r]{1,140}/u),
+  1,
+  MOST.lessons + MOST.shapes + MOST.links,
+  "\n",
+);
 
 /** The state of an address as it is written. */
-export function sheetAddress({ title, lessons, shapes, links }: Sheet): string {
+export const sheetAddress = (sheet: Sheet) => addressOf(valuesOf(sheet));
+
+/** Whether an address holds it, and opens again. */
+export const fits = (sheet: Sheet) => sheetIn(sheetAddress(sheet))?.whole === true;
+
+/** A sheet in the making as it is kept; it may hold nothing yet, or too much. */
+export const sheetKept = (sheet: Sheet) => JSON.stringify(Object.fromEntries(valuesOf(sheet)));
+
+/** What was kept, as far as it is a sheet. */
+export function sheetOfKept(text: string | null): Sheet {
+  try {
+    const value: unknown = JSON.parse(text ?? "{}");
+    const kept = new Map(Object.entries(typeof value === "object" && value !== null ? value : {}));
+    const words = (name: string) => {
+      const one = kept.get(name);
+      return typeof one === "string" ? one : undefined;
+    };
+    return sheetOf(words).sheet;
+  } catch {
+    return EMPTY;
+  }
+}
+
+function valuesOf(sheet: Sheet): [string, string][] {
+  const { title, lessons, shapes, links, tasks } = sheet;
   const values: [string, string][] = [];
   if (title.trim() !== "") values.push(["title", TITLE.write(title.trim())]);
   if (lessons.length > 0) values.push(["lessons", LESSONS.write(lessons)]);
   if (shapes.length > 0) values.push(["shapes", SHAPES.write(shapes)]);
   if (links.length > 0) values.push(["links", LINKS.write(links)]);
-  return addressOf(values);
+  const lines = itemsOf(sheet).flatMap((item) => {
+    const words = (tasks[item] ?? "").replace(/\s+/g, " ").trim().slice(0, MOST.task);
+    return words === "" ? [] : [`${item} ${words}`];
+  });
+  if (lines.length > 0) values.push(["tasks", TASKS.write(lines)]);
+  return values;
 }
 
 /** A sheet from an address; null where it holds none. What cannot be read of it is left out, and said by `whole`. */
 export function sheetIn(state: string): { sheet: Sheet; whole: boolean } | null {
   const values = valuesIn(state);
   if (!values) return null;
+  const found = sheetOf((name) => values.get(name));
+  return itemsOf(found.sheet).length === 0 ? null : found;
+}
+
+function sheetOf(written: (name: string) => string | undefined): { sheet: Sheet; whole: boolean } {
   let whole = true;
   const part = <T>(name: string, field: Field<T>, otherwise: T): T => {
-    const written = values.get(name);
-    if (written === undefined) return otherwise;
-    const value = field.read(written);
+    const words = written(name);
+    if (words === undefined) return otherwise;
+    const value = field.read(words);
     if (value === null) whole = false;
     return value ?? otherwise;
   };
@@ -49,13 +92,25 @@ export function sheetIn(state: string): { sheet: Sheet; whole: boolean } | null 
     lessons: [...new Set(part<readonly string[]>("lessons", LESSONS, []))],
     shapes: [...new Set(part<readonly string[]>("shapes", SHAPES, []))],
     links: [...new Set(part<readonly string[]>("links", LINKS, []))],
+    tasks: Object.fromEntries(
+      part<readonly string[]>("tasks", TASKS, []).map((line) => {
+        const end = line.indexOf(" ");
+        return [line.slice(0, end), line.slice(end + 1)];
+      }),
+    ),
   };
-  return itemsOf(sheet).length === 0 ? null : { sheet, whole };
+  return { sheet, whole };
 }
 
 /** What is to be done, each by a name that no other has: its lesson, `shape:` or `link:` and which. */
-export function itemsOf({ lessons, shapes, links }: Sheet): string[] {
+export function itemsOf({ lessons, shapes, links }: Omit<Sheet, "tasks">): string[] {
   return [...lessons, ...shapes.map((id) => `shape:${id}`), ...links.map((_, i) => `link:${i + 1}`)];
+}
+
+/** The sheet that a link leads to; null for any other link. */
+export function sheetOfLink(link: string): Sheet | null {
+  const [, state = ""] = /#learn\/(?:sheet|class)\/(\S+)$/.exec(link.trim()) ?? [];
+  return sheetIn(state)?.sheet ?? null;
 }
 
 /** What stands behind the # of each line of a text; `wrong` are the lines that hold no link of Frond. */

@@ -1,16 +1,24 @@
-import { useMemo, useState } from "preact/hooks";
+import { useContext, useEffect, useMemo, useState } from "preact/hooks";
+import { cameFrom } from "#document/kept/sheet";
 import { presets } from "#document/presets";
 import { Button } from "#ui/controls/Button";
 import { QrCode } from "#ui/overlay/QrCode";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
+import { preset } from "../../kit/frame/studio-link";
+import { Fitted } from "../../kit/picture/fitted";
+import { Page } from "../../kit/state/kept";
 import { UNITS } from "../course";
 import css from "./class.module.css";
 import { Handed } from "./handed";
-import { EMPTY, itemsOf, linksIn, MOST, type Sheet, sheetAddress } from "./sheet";
+import { draft, keepDraft } from "./kept";
+import { itemsWithNames } from "./names";
+import { EMPTY, fits, itemsOf, linksIn, MOST, type Sheet, sheetAddress, sheetIn, sheetOfLink } from "./sheet";
 
 /** Where a teacher makes a sheet for a class, and opens what comes back. */
 export function Teacher() {
+  // Who makes sheets has come back from them.
+  useEffect(() => cameFrom(null), []);
   return (
     <div class={css["page"]}>
       <p>
@@ -28,11 +36,27 @@ export function Teacher() {
 }
 
 function Make() {
-  const [sheet, setSheet] = useState<Sheet>(EMPTY);
-  const [pasted, setPasted] = useState("");
+  const { state } = useContext(Page);
+  const [sheet, showSheet] = useState<Sheet>(() => sheetIn(state)?.sheet ?? draft());
+  const [pasted, showPasted] = useState(() => linesOf(sheet));
+  const [folded, setFolded] = useState(sheet.shapes.length + sheet.links.length === 0);
   const { links, wrong } = useMemo(() => linksIn(pasted), [pasted]);
   const whole = { ...sheet, links };
   const count = itemsOf(whole).length;
+  const setSheet = (next: Sheet) => {
+    showSheet(next);
+    keepDraft({ ...next, links });
+  };
+  const setPasted = (next: string) => {
+    showPasted(next);
+    keepDraft({ ...sheet, links: linksIn(next).links });
+  };
+  const open = (next: Sheet) => {
+    showSheet(next);
+    showPasted(linesOf(next));
+    keepDraft(next);
+    setFolded(next.shapes.length + next.links.length === 0);
+  };
   const toggle = (part: "lessons" | "shapes", order: readonly string[], id: string) => {
     const chosen = sheet[part].includes(id) ? sheet[part].filter((one) => one !== id) : [...sheet[part], id];
     setSheet({ ...sheet, [part]: order.filter((one) => chosen.includes(one)) });
@@ -42,6 +66,7 @@ function Make() {
   return (
     <section class={css["part"]} aria-labelledby="make">
       <h2 id="make">Make a sheet</h2>
+      <OpenSheet onOpen={open} onClear={itemsOf(whole).length > 0 ? () => open(EMPTY) : null} />
       <label class={css["field"]}>
         Its title
         <input
@@ -68,23 +93,24 @@ function Make() {
           </fieldset>
         ))}
       </div>
-      <details>
+      <details open={!folded} onToggle={({ currentTarget }) => setFolded(!currentTarget.open)}>
         <summary>Shapes of the gallery, and links of your own</summary>
         <div class={css["part"]}>
           <fieldset class={css["shapes"]}>
             <legend class="unseen">Shapes</legend>
-            {presets()
-              .slice(0, MOST.shapes)
-              .map(({ id, name }) => (
-                <label key={id} class={css["tick"]}>
-                  <input
-                    type="checkbox"
-                    checked={sheet.shapes.includes(id)}
-                    onChange={() => toggle("shapes", shapes, id)}
-                  />
-                  {name}
-                </label>
-              ))}
+            {(folded ? [] : presets()).slice(0, MOST.shapes).map(({ id, name }) => (
+              <label key={id} class={css["tick"]}>
+                <input
+                  type="checkbox"
+                  checked={sheet.shapes.includes(id)}
+                  onChange={() => toggle("shapes", shapes, id)}
+                />
+                <span class={css["small"]} aria-hidden="true">
+                  <Fitted of={preset(id).maps} />
+                </span>
+                {name}
+              </label>
+            ))}
           </fieldset>
           <label class={css["field"]}>
             Links that you have copied, from a step of a lesson or from the studio, one to a line
@@ -102,12 +128,71 @@ function Make() {
           )}
         </div>
       </details>
+      {count > 0 && (
+        <fieldset class={css["part"]}>
+          <legend>What is to be done, in your own words, where you like</legend>
+          {itemsWithNames(whole).map(({ key, name }) => (
+            <label key={key} class={css["field"]}>
+              {name}
+              <input
+                type="text"
+                maxLength={MOST.task}
+                value={sheet.tasks[key] ?? ""}
+                onInput={({ currentTarget }) =>
+                  setSheet({ ...sheet, tasks: { ...sheet.tasks, [key]: currentTarget.value } })
+                }
+              />
+            </label>
+          ))}
+        </fieldset>
+      )}
       {count === 0 ? (
         <p class={layout["hint"]}>Choose a lesson, and the link stands here.</p>
+      ) : !fits(whole) ? (
+        <p role="status" class={layout["missing"]}>
+          This is more than one link can hold. Take some of it off, or write less.
+        </p>
       ) : (
         <Given address={addressOf(whole)} count={count} />
       )}
     </section>
+  );
+}
+
+/** Links of a sheet as one would have pasted them. */
+const linesOf = ({ links }: Sheet) =>
+  links.map((link) => `${location.origin}${location.pathname}#${link}`).join("\n");
+
+/** A sheet that was made before is opened from its link. */
+function OpenSheet({ onOpen, onClear }: { onOpen: (sheet: Sheet) => void; onClear: (() => void) | null }) {
+  const [link, setLink] = useState("");
+  const found = useMemo(() => sheetOfLink(link), [link]);
+  return (
+    <div class={css["part"]}>
+      <label class={css["field"]}>
+        To change a sheet that you have made before, paste its link
+        <input type="text" value={link} onInput={({ currentTarget }) => setLink(currentTarget.value)} />
+      </label>
+      <div class={layout["buttons"]}>
+        {link !== "" && (
+          <Button
+            disabled={!found}
+            onClick={() => {
+              if (found) onOpen(found);
+              setLink("");
+            }}
+          >
+            Open this sheet
+          </Button>
+        )}
+        {onClear && (
+          <Button kind="quiet" icon="reset" onClick={onClear}>
+            Begin with an empty sheet
+          </Button>
+        )}
+        {link !== "" && !found && <p class={layout["hint"]}>This is no link of a class sheet.</p>}
+      </div>
+    </div>
   );
 }
 
