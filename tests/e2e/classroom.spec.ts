@@ -74,6 +74,11 @@ test("a handout asks and does not tell, and has its answers on a page of their o
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
   await expect(page.getByTestId("truth")).toBeVisible();
   await expect(page.getByText("Solutions of the exercises")).toBeHidden();
+  // Answers are no tap away from who learns.
+  await page.getByText("For teachers", { exact: true }).click();
+  await expect(page.getByText("Solutions of the exercises")).toBeHidden();
+  await page.getByRole("button", { name: "Show the answers" }).click();
+  await expect(page.getByText("Solutions of the exercises")).toBeVisible();
 });
 
 test("a sheet goes to a class, and its answers come back as a table", async ({ page }) => {
@@ -126,4 +131,16 @@ test("a sheet goes to a class, and its answers come back as a table", async ({ p
   await expect(row).toContainText("They part below 0.4");
   await expect(row).toContainText("done");
   await expect(page.getByText("photo.json: This is no file of answers.")).toBeVisible();
+});
+
+test("a guess is there again after a way into the studio and back", async ({ page }) => {
+  await openFigure(page, "e12");
+  const guess = page.getByRole("radio", { name: /^Half of it/ });
+  await guess.check();
+  await page.getByRole("button", { name: "Show me" }).click();
+  await page.getByRole("link", { name: "Open in the studio" }).click();
+  await expect(page.getByRole("complementary")).toBeVisible();
+  await page.goBack();
+  await expect(guess).toBeChecked();
+  await expect(page.getByTestId("truth")).toBeVisible();
 });

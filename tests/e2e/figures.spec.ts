@@ -16,11 +16,11 @@ test("the contents show every lesson, drawn and clean, and what is done", async 
   await guess(page);
   await page.getByRole("button", { name: "Show me" }).click();
   await openContents(page);
-  await expect(page.getByText(`1 of ${LESSONS.length} done.`)).toBeVisible();
-  await expect(page.getByRole("link", { name: /Two pieces that touch.* done$/ })).toBeVisible();
+  await expect(page.getByText(`Question answered in 1 of ${LESSONS.length} lessons.`)).toBeVisible();
+  await expect(page.getByRole("link", { name: /Two pieces that touch.* question answered$/ })).toBeVisible();
   await expectClean(page);
   await page.reload();
-  await expect(page.getByText(`1 of ${LESSONS.length} done.`)).toBeVisible();
+  await expect(page.getByText(`Question answered in 1 of ${LESSONS.length} lessons.`)).toBeVisible();
   await page.getByRole("button", { name: "Clear the marks" }).click();
   await expect(page.getByRole("link", { name: /^Begin: / })).toBeVisible();
 });

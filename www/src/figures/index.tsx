@@ -87,7 +87,11 @@ export function Figures({ place, figure: name, state }: FiguresProps) {
     >
       {problem !== null && <Unloaded name={name} problem={problem} onTry={retry} />}
       {found && figure && shown?.Page ? (
-        <article class={figuresCss["figure"]} aria-busy={shown.name !== name}>
+        <article
+          class={figuresCss["figure"]}
+          aria-busy={shown.name !== name}
+          onClickCapture={(event) => noteBefore(event, page)}
+        >
           <TopNav {...found} />
           <PageOf.Provider value={page}>
             <shown.Page
@@ -111,6 +115,16 @@ export function Figures({ place, figure: name, state }: FiguresProps) {
     </div>
   );
 }
+
+/** Before a link is followed the address becomes that of the page as it is, so that the way back leads there. */
+function noteBefore({ target }: Event, page: PageState): void {
+  const link = target instanceof Element ? target.closest("a[href^='#']") : null;
+  const fragment = page.fragment();
+  if (link && fragment.length < MOST_NOTED) history.replaceState(history.state, "", fragment);
+}
+
+/** A longer address would not be read back. */
+const MOST_NOTED = 3900;
 
 function tellUnread(): void {
   notify({ kind: "info", text: "Part of this link could not be read: that part is as the page begins." });

@@ -40,7 +40,8 @@ export function Contents({ missing }: { missing: string | null }) {
           {count > 0 && (
             <>
               <span>
-                {count} of {LESSONS.length} done. This browser keeps the marks, nobody else sees them.
+                Question answered in {count} of {LESSONS.length} lessons. This browser keeps the marks, nobody
+                else sees them.
               </span>
               <Button kind="quiet" onClick={clear}>
                 Clear the marks
@@ -55,10 +56,7 @@ export function Contents({ missing }: { missing: string | null }) {
             <section aria-labelledby={id}>
               <h2 id={id}>{title}</h2>
               <p class={frameCss["figure-lead"]}>{about}</p>
-              <Cards
-                figures={figures}
-                also={(lesson) => <Facts lesson={lesson} isDone={marks.has(lesson.id)} />}
-              />
+              <Cards figures={figures} also={(lesson) => <Facts lesson={lesson} marks={marks} />} />
             </section>
           </li>
         ))}
@@ -81,17 +79,22 @@ function clear(): void {
   clearGuesses();
 }
 
-/** How long it takes, what it builds on, and whether it is done. */
-function Facts({ lesson, isDone }: { lesson: Lesson; isDone: boolean }) {
+/** How long it takes, what it builds on, and what of it is done: the question is one thing, the exercises another. */
+function Facts({ lesson, marks }: { lesson: Lesson; marks: ReadonlySet<string> }) {
+  const solved = [...marks].filter((mark) => mark.startsWith(`${lesson.id}.`)).length;
+  const facts = [
+    ...(marks.has(lesson.id) ? ["question answered"] : []),
+    ...(solved > 0 ? [`${solved} exercise${solved === 1 ? "" : "s"} solved`] : []),
+  ];
   const after = lesson.after.flatMap((id) => LESSONS.find((other) => other.id === id) ?? []);
   return (
     <span class={css["lesson-facts"]}>
       <span>
         {lesson.minutes} minutes{after.length > 0 && `, after ${lessonsWords(after)}`}
       </span>
-      {isDone && (
+      {facts.length > 0 && (
         <span class={css["done"]}>
-          <Icon name="check" size={16} /> done
+          <Icon name="check" size={16} /> {facts.join(", ")}
         </span>
       )}
     </span>

@@ -8,6 +8,10 @@ export interface Answer {
   exercises: readonly number[];
   /** What was guessed in the lesson before its truth was seen; empty where nothing was. */
   guess: string;
+  /** Whether the guess was right, where that is known. */
+  right?: boolean;
+  /** What it is called on the sheet. */
+  name?: string;
   answer: string;
 }
 
@@ -63,7 +67,7 @@ export function read(text: string): Answers | string {
 
 function answerOf(value: unknown): Answer | null {
   if (!isRecord(value)) return null;
-  const { item, done, exercises, guess, answer } = value;
+  const { item, done, exercises, guess, right, name, answer } = value;
   if (typeof item !== "string" || !/^(?:e\d{1,4}|shape:[\w-]{1,32}|link:\d{1,2})$/.test(item)) return null;
   if (typeof done !== "boolean" || !Array.isArray(exercises)) return null;
   const solved = exercises.filter((n): n is number => Number.isInteger(n) && n > 0 && n < 100);
@@ -72,6 +76,8 @@ function answerOf(value: unknown): Answer | null {
     done,
     exercises: [...new Set(solved)],
     guess: wordsOf(guess, MOST_GUESS),
+    ...(typeof right === "boolean" ? { right } : {}),
+    ...(typeof name === "string" ? { name: name.slice(0, MOST_NAME) } : {}),
     answer: wordsOf(answer, MOST_WORDS),
   };
 }

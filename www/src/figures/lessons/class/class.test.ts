@@ -75,7 +75,17 @@ const ANSWERS: Answers = {
   name: "Ana",
   title: "M",
   saved: "2026-01-02T10:00:00Z",
-  items: [{ item: "e1", done: true, exercises: [1, 2], guess: "0.35", answer: "0.4" }],
+  items: [
+    {
+      item: "e1",
+      done: true,
+      exercises: [1, 2],
+      guess: "0.35",
+      right: false,
+      name: "Lesson 5",
+      answer: "0.4",
+    },
+  ],
 };
 
 describe("a file of answers", () => {

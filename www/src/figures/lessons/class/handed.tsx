@@ -98,7 +98,7 @@ function Table({ all }: { all: readonly Answers[] }) {
             <th scope="col">Name</th>
             {asked.map((item) => (
               <th key={item} scope="col">
-                {nameOf(item)}
+                {calledOn(all, item) ?? nameOf(item)}
               </th>
             ))}
           </tr>
@@ -120,14 +120,23 @@ function Table({ all }: { all: readonly Answers[] }) {
   );
 }
 
+/** What pupils see it called; a later sheet may say it otherwise. */
+const calledOn = (all: readonly Answers[], item: string) =>
+  all.flatMap(({ items }) => items.find((one) => one.item === item)?.name ?? [])[0];
+
 function Cell({ answer }: { answer: Answer | undefined }) {
   if (!answer) return <span class={css["open"]}>not asked</span>;
-  const { done, exercises, guess, answer: words } = answer;
+  const { item, done, exercises, guess, right, answer: words } = answer;
+  const isDone = item.includes(":") ? "done" : "question answered";
   return (
     <>
-      <span class={done ? css["done"] : css["open"]}>{done ? "done" : "not yet"}</span>
+      <span class={done ? css["done"] : css["open"]}>{done ? isDone : "not yet"}</span>
       {exercises.length > 0 && <span class={css["open"]}>, solved: {exercises.join(", ")}</span>}
-      {guess !== "" && <p class={css["open"]}>guessed: {guess}</p>}
+      {guess !== "" && (
+        <p class={css["open"]}>
+          guessed{right !== undefined && (right ? " right" : " wrong")}: {guess}
+        </p>
+      )}
       {words !== "" && <p>{words}</p>}
     </>
   );

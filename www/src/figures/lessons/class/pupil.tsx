@@ -11,7 +11,7 @@ import { Fitted } from "../../kit/picture/fitted";
 import { Page } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
 import { done } from "../frame/done";
-import { guessOf } from "../frame/guesses";
+import { guessOf, rightOf } from "../frame/guesses";
 import { printHandouts } from "../frame/handout/paper";
 import { type Answer, MOST_WORDS, written } from "./answers";
 import css from "./class.module.css";
@@ -67,11 +67,13 @@ function Filled({ sheet, whole, state }: FilledProps) {
     [...marks].filter((mark) => mark.startsWith(`${key}.`)).map((mark) => Number(mark.split(".")[1]));
   const save = () => {
     const answers = items.map(
-      ({ key }): Answer => ({
+      ({ key, name }): Answer => ({
         item: key,
         done: isDone(key),
         exercises: solved(key).sort((p, q) => p - q),
         guess: key.includes(":") ? "" : guessOf(key),
+        ...(rightOf(key) === null ? {} : { right: rightOf(key) === true }),
+        name,
         answer: mine.answers[key] ?? "",
       }),
     );

@@ -24,7 +24,7 @@ const LONGEST = "your guess";
 
 /** What is said beside an option once the truth is shown. */
 function markOf(guessed: boolean, so: boolean): string {
-  if (so) return guessed ? "you saw it" : "this is it";
+  if (so) return guessed ? "right" : "this is it";
   return guessed ? "your guess" : "";
 }
 
@@ -63,7 +63,7 @@ type ReplyProps<T extends string> = Pick<ChoicesProps<T>, "options" | "predictio
 
 /** The first words of an answer: to whoever saw it, and to whoever chose something else. */
 export function Reply<T extends string>({ options, prediction: { guess }, truth }: ReplyProps<T>) {
-  if (guess === truth) return <p>You saw it.</p>;
+  if (guess === truth) return <p>You guessed right.</p>;
   const wrong = options.find(({ value }) => value === guess)?.wrong;
   return wrong === undefined ? null : <p>{wrong}</p>;
 }

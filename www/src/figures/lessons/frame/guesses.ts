@@ -28,13 +28,43 @@ function kept(): Map<string, string> {
 /** The first guess of a lesson; empty where there was none. */
 export const guessOf = (lesson: string) => kept().get(lesson) ?? "";
 
+const RIGHT = "frond.guesses-right";
+
+/** The lessons whose first guess was right, and those where it was not, in what was kept. */
+export function rightIn(text: string | null): Map<string, boolean> {
+  try {
+    const value: unknown = JSON.parse(text ?? "{}");
+    if (typeof value !== "object" || value === null) return new Map();
+    const all = Object.entries(value).filter(
+      (entry): entry is [string, boolean] => /^e\d{1,4}$/.test(entry[0]) && typeof entry[1] === "boolean",
+    );
+    return new Map(all.slice(0, MOST_LESSONS));
+  } catch {
+    return new Map();
+  }
+}
+
+function keptRight(): Map<string, boolean> {
+  try {
+    return rightIn(localStorage.getItem(RIGHT));
+  } catch {
+    return new Map();
+  }
+}
+
+/** Whether the first guess of a lesson was right; null where it is not known. */
+export const rightOf = (lesson: string) => keptRight().get(lesson) ?? null;
+
 /** A second guess, once the truth is known, is none. */
-export function keepGuess(lesson: string, words: string): void {
+export function keepGuess(lesson: string, words: string, right?: boolean): void {
   const all = kept();
   if (all.has(lesson) || words === "") return;
   all.set(lesson, words.slice(0, MOST_WORDS));
   try {
     localStorage.setItem(KEY, JSON.stringify(Object.fromEntries(all)));
+    if (right !== undefined) {
+      localStorage.setItem(RIGHT, JSON.stringify(Object.fromEntries(keptRight().set(lesson, right))));
+    }
   } catch {
     // Then nobody hears of it.
   }
@@ -44,6 +74,7 @@ export function keepGuess(lesson: string, words: string): void {
 export function clearGuesses(): void {
   try {
     localStorage.removeItem(KEY);
+    localStorage.removeItem(RIGHT);
   } catch {
     // There are none.
   }

@@ -95,6 +95,8 @@ export function Lesson(props: LessonProps) {
 
 export interface QuestionProps {
   prediction: Prediction<unknown>;
+  /** Whether the guess is right, where one can say so. */
+  right?: boolean;
   /** Whether there is something to look at beside the question; it stays in its place when the truth comes. */
   beside?: ComponentChildren;
   /** What is asked: choices or a slider, with the question as their name. */
@@ -106,12 +108,12 @@ export interface QuestionProps {
 }
 
 /** Asks for a prediction and then shows what is so. The one button keeps its place, and with it the focus. */
-export function Question({ prediction, beside, children, answer, after }: QuestionProps) {
+export function Question({ prediction, right, beside, children, answer, after }: QuestionProps) {
   const { guess, said, shown, show, again } = prediction;
   const lesson = useContext(LessonId);
   const look = ({ currentTarget }: MouseEvent) => {
     const question = currentTarget instanceof Element ? currentTarget.closest("section") : null;
-    keepGuess(lesson, guessWords(question, guess));
+    keepGuess(lesson, guessWords(question, guess), right);
     show();
     markDone(lesson);
   };

@@ -1,4 +1,5 @@
-import { useLayoutEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
+import { Button } from "#ui/controls/Button";
 import { useValue } from "../../kit/workers";
 import { paper } from "./handout/paper";
 import css from "./teaching.module.css";
@@ -28,6 +29,8 @@ export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
   const { aim, mistakes, questions, answer, solutions } = teaching;
   const fold = useRef<HTMLDetailsElement>(null);
   const covered = useValue(paper);
+  const [told, setTold] = useState(false);
+  const answers = told || covered;
   useLayoutEffect(() => {
     if (!covered || !fold.current || fold.current.open) return;
     const opened = fold.current;
@@ -43,9 +46,21 @@ export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
         <p class={css["paper-name"]}>Answers, and words for teachers: {lesson}</p>
         <h3>Aim</h3>
         <p>{aim}</p>
-        <h3>The question</h3>
-        <p>{answer}</p>
-        {solutions.length > 0 && (
+        {!answers && (
+          <>
+            <p>The answers are not shown yet: whoever learns here may want to try first.</p>
+            <div>
+              <Button onClick={() => setTold(true)}>Show the answers</Button>
+            </div>
+          </>
+        )}
+        {answers && (
+          <>
+            <h3>The question</h3>
+            <p>{answer}</p>
+          </>
+        )}
+        {answers && solutions.length > 0 && (
           <>
             <h3>Solutions of the exercises</h3>
             <ol>
@@ -65,7 +80,7 @@ export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
         <ol>
           {questions.map(({ ask, answer }) => (
             <li key={ask}>
-              {ask} <em>{answer}</em>
+              {ask} {answers && <em>{answer}</em>}
             </li>
           ))}
         </ol>

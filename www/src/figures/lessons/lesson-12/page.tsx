@@ -208,8 +208,8 @@ type Left = "all" | "half" | "hardly";
 const OPTIONS = [
   {
     value: "all",
-    label: "All of it: from squares and from letters come different shapes",
-    wrong: "Drag the steps below: each halves every copy, and with it what tells a square from a letter.",
+    label: "All of it: from a square and from a dot come different shapes",
+    wrong: "Drag the steps below: each halves every copy, and with it what tells a square from a dot.",
   },
   {
     value: "half",
@@ -230,10 +230,11 @@ function Difference({ prediction }: { prediction: Prediction<Left> }) {
       line={`After eight steps ${2 ** MOST} times less than at the start.`}
     >
       <p>
-        Take the point of one figure that is farthest from the other: so far apart the two are. A step halves
-        all distances, so afterwards they are at most half as far apart, after <Formula>n</Formula> steps at
-        most <Formula tex={tex`1 / 2^n`} /> of it. Whatever one starts from, all come to the same shape. It
-        belongs to the maps alone, and is the only one that a step leaves as it is.
+        How far apart are two figures? Look for the point of either that is farthest from the other one, and
+        measure that distance. A step halves all distances, so afterwards they are at most half as far apart,
+        after <Formula>n</Formula> steps at most <Formula tex={tex`1 / 2^n`} /> of it. Whatever one starts
+        from, all come to the same shape. It belongs to the maps alone, and is the only one that a step leaves
+        as it is.
       </p>
     </ChoiceQuestion>
   );

@@ -133,7 +133,7 @@ function Switched({ fern }: FernProps) {
             ? "One map alone makes a single point: where it leaves the plane in place."
             : left.length === 0
               ? "All four: the fern."
-              : `Without ${left.join(" and ")}.`}
+              : `Switched off: ${left.join(" and ")}.`}
         </p>
       </div>
     </div>

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { norm, type Point } from "../../kit/maps/pieces";
-import { far, orbit, pushing, repeated, turning, weighed } from "./orbit";
+import { far, orbit, pushing, repeated, timesWords, turning, weighed } from "./orbit";
 
 const UP: Point = [0, 1];
 
@@ -53,4 +53,14 @@ describe("two maps that bring all points home", () => {
     expect(end(repeated(up, 12))).toBeLessThan(0.01);
     expect(end(Array.from({ length: 12 }, (_, i) => (i % 2 === 0 ? side : up)))).toBeGreaterThan(8);
   });
+});
+
+it("says how many times as a plain number", () => {
+  expect([1.2 ** 30, 1.2 ** 10, 1, 0.9 ** 30, 0.5 ** 30].map(timesWords)).toEqual([
+    "240",
+    "6.2",
+    "1.0",
+    "0.042",
+    "0.00000000093",
+  ]);
 });

@@ -37,3 +37,9 @@ export function far([x, y]: Point): number {
 export function weighed([x, y]: Point, weight: number): number {
   return Math.abs(x) + weight * Math.abs(y);
 }
+
+/** Two digits that count, as a plain number: 240, 2.8, 0.042. */
+export function timesWords(times: number): string {
+  const digits = Math.max(0, 1 - Math.floor(Math.log10(times)));
+  return Number(times.toPrecision(2)).toFixed(Math.min(20, digits));
+}

@@ -16,7 +16,7 @@ import { Lesson } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, useChoice } from "../frame/prediction";
 import { Exercises } from "./exercises";
-import { far, orbit, pushing, repeated, turning, weighed } from "./orbit";
+import { far, orbit, pushing, repeated, timesWords, turning, weighed } from "./orbit";
 import { TEACHING } from "./teaching";
 import { Track } from "./track";
 
@@ -82,11 +82,13 @@ function Spiral() {
   const [scale, setScale] = useKept("scale", 0.9, number(0.5, 1.2, 2));
   const points = useMemo(() => orbit(repeated(turning(scale, DEGREES), STEPS), START), [scale]);
   const words = scaleWords(scale);
+  // All of the way is seen, also of one that leads away.
+  const reach = Math.max(1.6, 1.1 * far(points.at(-1) ?? START));
   return (
     <div class={`${layout["two-columns"]} ${layout["even"]}`}>
       <Track
         points={points}
-        reach={1.6}
+        reach={reach}
         label={`A point and its ${STEPS} next places at scale ${fixed(scale)}. ${words}`}
       />
       <div class={lessonCss["ask"]}>
@@ -99,9 +101,9 @@ function Spiral() {
         />
         <p aria-live="polite">{words}</p>
         <p class="number">
-          After 10 steps: {(scale ** 10).toPrecision(2)} times as far.
+          After 10 steps: {timesWords(scale ** 10)} times as far.
           <br />
-          After {STEPS} steps: {(scale ** STEPS).toPrecision(2)} times as far.
+          After {STEPS} steps: {timesWords(scale ** STEPS)} times as far.
         </p>
       </div>
     </div>

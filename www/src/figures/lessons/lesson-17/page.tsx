@@ -148,7 +148,7 @@ function Counting({ names, as }: { names: readonly Name[]; as: string }) {
           {count} box{count === 1 ? "" : "es"}
           {before === null
             ? ""
-            : `, ${count / before} times as many as with boxes ${shape.base} times as wide`}
+            : `: ${count / before} times as many as at the step before, whose boxes are ${shape.base} times as wide`}
         </p>
         <Slopes names={names} now={{ name, level: at }} />
       </div>
