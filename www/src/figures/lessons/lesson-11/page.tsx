@@ -97,6 +97,7 @@ function What({ prediction }: { prediction: Prediction<Guess> }) {
   return (
     <Question
       prediction={prediction}
+      right={prediction.guess === TRUTH}
       beside={
         <Bent
           maps={GASKET}

@@ -140,6 +140,7 @@ function Empty({ prediction }: { prediction: Prediction<Where> }) {
   return (
     <Question
       prediction={prediction}
+      right={prediction.guess === "middle"}
       beside={
         <Board
           game={game}

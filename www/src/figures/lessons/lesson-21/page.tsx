@@ -115,6 +115,7 @@ function Apart({ prediction }: { prediction: Prediction<Guess> }) {
   return (
     <Question
       prediction={prediction}
+      right={prediction.guess === TRUTH}
       beside={
         <Panel>
           <Picture

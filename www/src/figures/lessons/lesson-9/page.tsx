@@ -124,6 +124,7 @@ function Widest({ prediction }: { prediction: Prediction<Gap> }) {
   return (
     <Question
       prediction={prediction}
+      right={prediction.guess === "tree"}
       beside={<Measured maps={maps} all={all} tree={shown ? edges : null} />}
       answer={
         <Truth
