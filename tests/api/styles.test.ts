@@ -107,7 +107,8 @@ const SHARED: Record<string, string> = {
   "tools/morph/locus/": "field",
   "tools/morph/strip/": "strip",
   // What becomes of all of these on paper, and on slides.
-  "figures/lessons/frame/": "handout slides",
+  "figures/lessons/frame/": "slides",
+  "figures/lessons/frame/handout/": "handout",
 };
 
 it("has no style outside of modules but of words that rooms share", () => {

@@ -47,7 +47,7 @@ export function PresetGallery({
       {apart !== null && (
         <>
           {outlines}
-          <h3 class={css["apart"]}>Shapes of maps</h3>
+          <h3 class={css["maps-heading"]}>Shapes of maps</h3>
           <p class="hint">{apart}</p>
         </>
       )}

@@ -2,6 +2,7 @@ import { useMemo, useRef, useState } from "preact/hooks";
 import { type Box, fitFor } from "#document/framing";
 import { dark } from "#document/preferences";
 import type { Size } from "#geometry/coordinates";
+import { GREY } from "#style/colours";
 import { palette } from "#style/palette";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
 import type { Task } from "#workers/pool/protocol";
@@ -49,7 +50,7 @@ export function Picture({
     const size = coarse ? coarser(full) : full;
     const view = fitFor(box, size, margin);
     const all = palette(onDark ? "dark" : "light");
-    const colours = hues ? hues.map((hue) => all[hue % all.length] ?? "#808080") : all;
+    const colours = hues ? hues.map((hue) => all[hue % all.length] ?? GREY) : all;
     const options = { ...size, view, colouring, palette: colours };
     return { kind: "picture", maps, options: bend ? { ...options, bend } : options };
   }, [maps, box, full, coarse, margin, onDark, colouring, hues, bend]);
