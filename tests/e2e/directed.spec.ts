@@ -56,6 +56,7 @@ test("what changes is said aloud", async ({ studio, page }) => {
     await time.fill("0");
     await time.press("Enter");
     await expect(studio.verdict).toContainText("In one piece, proved");
+    await page.waitForTimeout(2000);
     await time.fill("50");
     await time.press("Enter");
     await expect(said).toHaveText("Looks whole at 1/600", { timeout: 5000 });
