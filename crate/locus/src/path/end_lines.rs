@@ -44,6 +44,7 @@ pub(crate) fn by_end_lines(
         let places = (1..PLACES).rev().flat_map(|k| ASIDE.map(|aside| (k as f64 / PLACES as f64, aside)));
         let mut ways: Vec<(f64, Vec<DVec3>)> = places
             .flat_map(|(t, aside)| Line::BOTH.map(|line| line.reached(&plan.points, end, t, aside)))
+            .filter(|way| way.len() <= PathPlan::MOST_POINTS.max(plan.points.len()) && on_the_map(field, way))
             .map(|way| (widest(morph, &way, fine, FEW_CHECKS, at_first), way))
             .filter(|&(gap, _)| gap < at_first)
             .collect();
@@ -66,6 +67,11 @@ pub(crate) fn by_end_lines(
         }
     }
     plan
+}
+
+/// Whether a way stays where samples tell what lies beside it.
+fn on_the_map(field: &Field, way: &[DVec3]) -> bool {
+    way.iter().all(|&at| field.lattice.cell(field.lattice.fraction(at)).is_some())
 }
 
 /// A line through an end, along one axis.
