@@ -20,7 +20,8 @@ const UNSURE: f64 = (10.0 + 96.0 * 0.5 * f64::EPSILON) * 0.5 * f64::EPSILON;
 const MOST_CELLS: usize = 256;
 
 /// Triangles in which no circumcircle holds a point, made point by point with flips of edges (Lawson 1977). All signs
-/// are exact, so that points in a line or on a circle are no trouble.
+/// are exact, so that points in a line or on a circle are no trouble. It stands in the place of a library (spade) that
+/// made what every visitor without WebGPU downloads too large: only points of a grid are asked for here.
 #[derive(Clone, Debug)]
 pub(crate) struct Delaunay {
     points: Vec<Place>,
