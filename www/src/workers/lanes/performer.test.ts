@@ -38,6 +38,7 @@ describe("a performer", () => {
     const { answers, all, perform } = listen(1);
     perform(start);
     perform(run(1, 1e9));
+    await new Promise((resolve) => setTimeout(resolve, 10));
     perform({ type: "stop", id: 1 });
     await all;
     expect(answers.slice(1)).toMatchObject([{ type: "failed", id: 1, error: { code: "stopped" } }]);
@@ -47,6 +48,36 @@ describe("a performer", () => {
     perform({ type: "stop", id: 1 });
     await next;
     expect(answers.at(-1)).toMatchObject({ type: "done", id: 2 });
+  });
+
+  it("does one after the other, and does not begin what is called off before its turn", async () => {
+    for (const atOnce of [false, true]) {
+      const order: string[] = [];
+      const answers: Answer[] = [];
+      const table = {
+        note: async (_: Context, { word }: { word: string }) => {
+          order.push(`${word} begins`);
+          await new Promise((resolve) => setTimeout(resolve, 2));
+          order.push(`${word} ends`);
+        },
+      };
+      const made = performerOf(table, async () => ({}), atOnce);
+      await new Promise<void>((resolve) => {
+        const perform = made((answer) => {
+          answers.push(answer);
+          if (answers.length === 3) resolve();
+        });
+        for (const [id, word] of ["a", "b", "c"].entries())
+          perform({ type: "run", id, name: "note", args: { word } });
+        perform({ type: "stop", id: 1 });
+      });
+      expect(order).toEqual(["a begins", "a ends", "c begins", "c ends"]);
+      expect(answers).toMatchObject([
+        { type: "failed", id: 1, error: { code: "stopped" } },
+        { type: "done", id: 0 },
+        { type: "done", id: 2 },
+      ]);
+    }
   });
 
   it("gives tasks what its start has readied", async () => {

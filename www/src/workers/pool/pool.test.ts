@@ -6,7 +6,7 @@ import { Coalesce } from "./coalesce";
 import { Pool } from "./pool";
 import type { Channel, Job, Modules, Task } from "./protocol";
 
-/** A worker that answers when told to. */
+/** A worker that answers when told to. It hears what is called off when the task under way has ended. */
 class FakeWorker implements WorkerLike<Modules> {
   onmessage: WorkerLike<Modules>["onmessage"] = null;
   onerror: WorkerLike<Modules>["onerror"] = null;
@@ -30,6 +30,14 @@ class FakeWorker implements WorkerLike<Modules> {
   finish(): void {
     const { id } = this.work.shift() ?? { id: -1 };
     this.say({ type: "done", id, result: new Uint8Array([id]), milliseconds: 1 });
+    for (const { id: off } of this.work.filter((one) => this.stopped.includes(one.id))) {
+      this.work = this.work.filter((one) => one.id !== off);
+      this.say({ type: "failed", id: off, error: { code: "stopped", message: "" }, fatal: false });
+    }
+  }
+
+  get names(): string[] {
+    return this.work.map(({ args }) => (args as { n: string }).n);
   }
 
   die(): void {
@@ -79,7 +87,10 @@ describe("Pool", () => {
     const p = pool(2);
     const { job: j, log } = job("locus", 5);
     p.submit(j);
-    expect(workers.map((w) => w.work.length)).toEqual([1, 1]);
+    expect(workers.map((w) => w.names)).toEqual([
+      ["locus0", "locus2"],
+      ["locus1", "locus3"],
+    ]);
     while (workers.some((w) => w.work.length > 0)) {
       for (const worker of workers) if (worker.work.length > 0) worker.finish();
     }
@@ -155,6 +166,63 @@ describe("Pool", () => {
     p.submit(urgent.job);
     workers[0]?.finish();
     expect(workers[0]?.work[0]?.args).toMatchObject({ n: "verdict0" });
+  });
+
+  it("has nothing of another channel wait behind a slice", () => {
+    const p = pool(2);
+    p.submit(job("locus", 1, 9).job);
+    p.submit(job("strip", 2, 1).job);
+    expect(workers.map((w) => w.names)).toEqual([["locus0"], ["strip0", "strip1"]]);
+  });
+
+  it("gives what waits behind a slice to a worker that has nothing to do, and counts it once", () => {
+    const p = pool(2);
+    const { job: j, log } = job("locus", 4);
+    p.submit(j);
+    const [first, second] = workers;
+    second?.finish();
+    second?.finish();
+    expect([first?.names, second?.names]).toEqual([["locus0", "locus2"], ["locus2"]]);
+    // The first had begun it before it heard of that.
+    for (const id of first?.work.map((one) => one.id) ?? [])
+      first?.say({ type: "done", id, result: new Uint8Array([id]), milliseconds: 1 });
+    expect([log.accepted.sort(), log.done]).toEqual([["locus0", "locus1", "locus2", "locus3"], 1]);
+    expect(second?.stopped).toHaveLength(1);
+    second?.finish();
+    expect([log.accepted.length, log.done]).toEqual([4, 1]);
+  });
+
+  it("has a slice that was called back done later", () => {
+    const p = pool(1);
+    const slow = job("strip", 3, 1);
+    p.submit(slow.job);
+    p.submit(job("verdict", 1, 9).job);
+    for (let i = 0; i < 4; i++) workers[0]?.finish();
+    expect([slow.log.accepted.sort(), slow.log.done]).toEqual([["strip0", "strip1", "strip2"], 1]);
+    expect(p.busy).toBe(false);
+  });
+
+  it("outlasts a storm of a thousand jobs, with little in its workers' queues", () => {
+    const p = pool(2);
+    let last = job("locus", 0);
+    let seen = 0;
+    let most = 0;
+    for (let k = 0; k < 1000; k++) {
+      last = job("locus", 6, 1 + (k % 3));
+      p.submit(last.job);
+      if (k % 5 === 0) p.submit(job("verdict", 1, 9).job);
+      if (k % 7 === 0) p.cancel("verdict");
+      if (k % 11 === 0) workers[k % 2]?.finish();
+      if (k % 101 === 0) workers.find((w) => !w.terminated)?.die();
+      for (const worker of workers.slice(seen)) worker.say({ type: "ready" });
+      seen = workers.length;
+      most = Math.max(most, ...workers.map((w) => (w.terminated ? 0 : w.work.length)));
+    }
+    const alive = workers.filter((w) => !w.terminated);
+    while (alive.some((w) => w.work.length > 0)) for (const w of alive) if (w.work.length > 0) w.finish();
+    expect(last.log.accepted.sort()).toEqual(Array.from({ length: 6 }, (_, k) => `locus${k}`));
+    expect([last.log.done, last.log.failed, p.busy]).toEqual([1, [], false]);
+    expect(most).toBeLessThanOrEqual(4);
   });
 
   it("replaces a dead worker and does its slice again", () => {
