@@ -17,7 +17,7 @@ import { adoptPath, watchAutomaticPath } from "./tools/morph/locus/path/automati
 import { loadBends } from "./wasm/bend";
 import { load } from "./wasm/core";
 import { compileProof } from "./wasm/proof";
-import { startEngine } from "./workers/pool/engine";
+import { fetchPool, startEngine } from "./workers/pool/engine";
 
 reportTrouble();
 
@@ -29,6 +29,7 @@ async function begin(root: HTMLElement): Promise<void> {
   // Under way while the first picture is drawn, which does without it. What goes wrong is told where it is waited for.
   const proof = compileProof();
   proof.catch(() => {});
+  fetchPool().catch(() => {});
   link.open();
   link.watch();
   const { hash } = location;
@@ -44,7 +45,7 @@ async function begin(root: HTMLElement): Promise<void> {
   const View = embedded ? (await import("./shell/embed/Embed")).Embed : App;
   render(h(View, { backend: parameters.backend }), root);
   await whenFirstPicture();
-  startEngine(
+  await startEngine(
     { page, proof: await proof },
     { workers: parameters.workers },
     {

@@ -1,7 +1,7 @@
 /** Where work is handed in: to a pool of workers, or, where there are none, to this thread. */
 import { type ReadonlySignal, signal } from "@preact/signals";
 import type { WorkerLike } from "../lanes/task";
-import { Pool } from "./pool";
+import type { Pool } from "./pool";
 import type { Channel, Job, Modules } from "./protocol";
 
 let host: Pool | null = null;
@@ -48,14 +48,22 @@ function workerCount(cores: number): number {
   return Math.min(8, Math.max(2, cores - 1));
 }
 
+/** What hands work out: the first picture does without it. */
+export const fetchPool = () => import("./pool").then((module) => module.Pool);
+
 /** Called once, after the first picture. */
-export function startEngine(modules: Modules, options: { workers: number | null }, watch: Watch): void {
+export async function startEngine(
+  modules: Modules,
+  options: { workers: number | null },
+  watch: Watch,
+): Promise<void> {
+  const Made = await fetchPool();
   if (host || inline) return;
   if (options.workers === 0 || typeof Worker === "undefined") {
-    goInline(modules, watch);
+    goInline(Made, modules, watch);
     return;
   }
-  const pool = new Pool({
+  const pool = new Made({
     modules,
     count: options.workers ?? workerCount(navigator.hardwareConcurrency),
     spawn: () =>
@@ -67,7 +75,7 @@ export function startEngine(modules: Modules, options: { workers: number | null 
       state.value = { ...now, available: true };
     },
     onUnavailable: () => {
-      goInline(modules, watch);
+      goInline(Made, modules, watch);
       epoch.value++;
     },
   });
@@ -78,13 +86,13 @@ export function startEngine(modules: Modules, options: { workers: number | null 
 }
 
 /** What is asked for until this thread has what it needs is kept, as before the start. */
-function goInline(modules: Modules, watch: Watch): void {
+function goInline(Made: typeof Pool, modules: Modules, watch: Watch): void {
   watch.inline();
   inline = true;
   host = null;
   state.value = { count: 0, busy: true, available: false };
   import("./inline").then(({ onPage }) => {
-    host = new Pool({
+    host = new Made({
       modules,
       count: 1,
       spawn: onPage,
