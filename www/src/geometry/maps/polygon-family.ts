@@ -27,13 +27,8 @@ export function answerOf(
   s: readonly [number, number, number?],
 ): Connectedness {
   if (found.verdict === "connected" || found.verdict === "no-attractor" || !fills(sides, s)) return found;
-  const { closest: _, ...rest } = found;
   return {
-    ...rest,
-    verdict: "connected",
-    gap: { lower: 0, upper: 0 },
-    components: found.components.map(() => 0),
-    count: 1,
+    ...inOnePiece(found),
     reason: {
       kind: "area",
       text:
@@ -42,5 +37,16 @@ export function answerOf(
       links: [],
       assuming: [],
     },
+  };
+}
+
+/** The answer about a shape that is proved to be in one piece after all. */
+export function inOnePiece({ closest: _, reason: __, ...found }: Connectedness): Connectedness {
+  return {
+    ...found,
+    verdict: "connected",
+    gap: { lower: 0, upper: 0 },
+    components: found.components.map(() => 0),
+    count: 1,
   };
 }

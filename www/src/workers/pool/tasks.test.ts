@@ -11,7 +11,7 @@ const maps: MapRow[] = [
 ];
 
 /** A program that finds a gap of 0.001 only where it looks closer than that, and whose samples of the map see it. */
-function program(sample: { state: number; gap: number }) {
+function program(sample: { state: number; gap: number; proved?: number }) {
   const asked: number[] = [];
   const answer = (verdict: Connectedness["verdict"], upper: number) => ({
     verdict,
@@ -24,7 +24,11 @@ function program(sample: { state: number; gap: number }) {
       asked.push(epsilon);
       return epsilon < 1e-3 ? answer("disconnected", 1e-3) : answer("touching", 1e-3);
     },
-    locus: () => ({ state: [sample.state], gap: [sample.gap] }),
+    LocusTiles: class {
+      patch = () => ({ state: Uint8Array.of(sample.state), gap: Float32Array.of(sample.gap) });
+      prove = () => Uint8Array.of(sample.proved ?? sample.state);
+      free() {}
+    },
     interpolate: () => ({ maps }),
   } as unknown as Frond & Proof;
   const context = { frond, keep: new Map(), breathe: async () => {}, progress: () => {}, transfer: () => {} };
@@ -38,7 +42,7 @@ describe("the answer about one shape", () => {
     const { run, asked } = program({ state: 2, gap: 8e-4 });
     const result = await run({ kind: "verdict", maps, epsilon: 1 / 600 });
     expect(result).toMatchObject({ verdict: "disconnected" });
-    expect(asked).toEqual([1 / 600, 2e-4]);
+    expect(asked).toEqual([1 / 600, Math.fround(8e-4) / 4]);
   });
 
   it("is left as it is where the map has seen none", async () => {
@@ -46,6 +50,12 @@ describe("the answer about one shape", () => {
     const result = await run({ kind: "verdict", maps, epsilon: 1 / 600 });
     expect(result).toMatchObject({ verdict: "touching" });
     expect(asked).toHaveLength(1);
+  });
+
+  it("is what the map proves, where the search does not", async () => {
+    const { run } = program({ state: 1, gap: 0, proved: 0 });
+    const result = await run({ kind: "verdict", maps, epsilon: 1 / 600 });
+    expect(result).toMatchObject({ verdict: "connected", gap: { lower: 0, upper: 0 }, components: [0, 0] });
   });
 
   it("is the same along a path", async () => {

@@ -1,5 +1,5 @@
 /** What a worker of the plane does: a function for each kind of task. */
-import { answerOf } from "#geometry/maps/polygon-family";
+import { answerOf, inOnePiece } from "#geometry/maps/polygon-family";
 import { weighted } from "#geometry/maps/weighted";
 import { atResolution, STATE } from "#geometry/states";
 import type { Connectedness, Ifs, Locus, PathPoint } from "#wasm/api";
@@ -55,17 +55,28 @@ function handOver({ transfer }: Hand, { state, gap }: Pick<Locus, "state" | "gap
   return { state, gap };
 }
 
-/** All that is known of one shape: the page says nothing else of it anywhere. */
+/**
+ * All that is known of one shape: the page says nothing else of it anywhere. What the map is made by stops elsewhere,
+ * and proves what a search alone does not: neither is to say less than the other.
+ */
 function answer(frond: Hand["frond"], ifs: Ifs, epsilon: number): Connectedness {
   const found = frond.connectedness(ifs, { epsilon });
   if (found.verdict !== "touching" && found.verdict !== "undecided") return found;
-  // The search that maps are made by stops elsewhere: where it has seen a gap, this one is to look as closely.
   const bounds = { u0: 0, v0: 0, u1: 0, v1: 0 };
-  const { state, gap } = frond.locus(ifs, ifs, { ...POINT, bounds, epsilon });
-  const seen = gap[0] ?? 0;
-  if (state[0] !== STATE.disconnected || !(seen > 0)) return found;
-  const closer = frond.connectedness(ifs, { epsilon: seen / 4 });
-  return closer.verdict === "disconnected" ? closer : found;
+  const point = new frond.LocusTiles(ifs, ifs, { ...POINT, bounds, epsilon });
+  try {
+    const { state, gap } = point.patch(0, 0, 1, 1);
+    const seen = gap[0] ?? 0;
+    if (state[0] === STATE.disconnected && seen > 0) {
+      // Where a gap was seen, the search is to look as closely.
+      const closer = frond.connectedness(ifs, { epsilon: seen / 4 });
+      return closer.verdict === "disconnected" ? closer : found;
+    }
+    const [proved] = state[0] === STATE.touching ? point.prove(0, 0, 1, 1, state) : state;
+    return proved === STATE.connected ? inOnePiece(found) : found;
+  } finally {
+    point.free();
+  }
 }
 
 export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Promise<Result<K>> } = {

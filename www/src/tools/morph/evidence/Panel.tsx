@@ -96,7 +96,9 @@ const WRITTEN: readonly string[] = ["shared-points", "neighbours", "crossings", 
 
 /** Whether there may be a proof that a checker can replay. */
 function isWritten({ verdict, reason }: Connectedness): boolean {
-  return verdict === "disconnected" || (verdict === "connected" && WRITTEN.includes(reason?.kind ?? ""));
+  return (
+    verdict === "disconnected" || (verdict === "connected" && (!reason || WRITTEN.includes(reason.kind)))
+  );
 }
 
 const MOST_LINKS = 12;

@@ -8,8 +8,10 @@ import type { CertificateCheck, Connectedness, Link } from "#wasm/api";
 export function accountOf(answer: Connectedness, epsilon: number): string {
   const fine = resolutionWords(epsilon);
   switch (answer.verdict) {
-    case "connected":
-      return "From each of its pieces every other can be reached without a leap, at any magnification.";
+    case "connected": {
+      const how = answer.reason ? "" : " Proved as on the map: enough of its pieces cross, or share points.";
+      return `From each of its pieces every other can be reached without a leap, at any magnification.${how}`;
+    }
     case "touching":
       return `Its pieces come within ${fine} of its diameter of each other, so that no gap is seen at that resolution. Whether they truly meet is not proved.`;
     case "disconnected": {
