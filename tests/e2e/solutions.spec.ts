@@ -16,7 +16,7 @@ const SOLUTIONS: Record<string, string> = {
   e11: "x1.code=2311&x2.code=1231",
   e12: "x1.steps=10&x2.start=gasket",
   e13: "x1.missing=4&x2.lean=0",
-  e14: "x1.scale=0.8&x1.push=2&x2.steps=A,B,A,B,A,B,A,B,A,B,A,B",
+  e14: "x1.scale=0.93&x2.point=6",
   e15: "x1.weights=0.4,0.6,1&x2.chance=0.36",
   e16: "x1.address=1(3)&x2.address=(12)&x3.addresses=31(2);32(1)",
   e17: "x1.scale=0.25&x2.scale=0.5",
@@ -30,6 +30,7 @@ const SOLUTIONS: Record<string, string> = {
   e26: "x1.size=0.63&x2.percent=80",
   e27: "x1.bytes=36&x2.s=0.7",
   e29: "x1.s=0.5&x2.s=0.71",
+  e30: "x1.scale=0.8&x1.push=2&x2.steps=A,B,A,B,A,B,A,B,A,B,A,B",
   e28: "x1.turn=120&x2.shift=0.3",
 };
 

@@ -9,13 +9,12 @@ const corners = (scale: number): Cell =>
   plane([0, 1].flatMap((x) => [0, 1].map((y) => [scale, 0, 0, scale, x * (1 - scale), y * (1 - scale)])));
 
 /** Three in those of a triangle. */
-const triangle = (scale: number): Cell =>
-  plane(
-    [0, 1, 2].map((k) => {
-      const angle = (Math.PI * (4 * k + 3)) / 6;
-      return [scale, 0, 0, scale, (1 - scale) * Math.cos(angle), (1 - scale) * Math.sin(angle)];
-    }),
-  );
+const triangleOf = (scale: number) =>
+  [0, 1, 2].map((k) => {
+    const angle = (Math.PI * (4 * k + 3)) / 6;
+    return [scale, 0, 0, scale, (1 - scale) * Math.cos(angle), (1 - scale) * Math.sin(angle)];
+  });
+const triangle = (scale: number): Cell => plane(triangleOf(scale));
 
 /** A fractal function through points at even distances (Barnsley 1986): each map takes the ends to two neighbours. */
 function rough(heights: readonly number[], roughness: number): Cell {
@@ -161,6 +160,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     e24: row({ ...solid("sponge"), turn: 0.4 }, plane(space.projectExactly(of("sponge"), [0, 1, 0]))),
     e21: row(polygon(2, [0.0227, 0.703]).cells[0] as Cell, morph("dragon-3", "gasket", 0.5, 1.75)),
     e22: pulled("gasket", [0.3, 0.2], 0.2, 0.6),
+    e30: row(triangle(0.4), plane(triangleOf(0.4).map(([a = 0, , ...rest]) => [a, 0.4, ...rest]))),
   };
 }
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { norm, type Point } from "../../kit/maps/pieces";
-import { far, orbit, pushing, repeated, timesWords, turning, weighed } from "./orbit";
+import { far, metresWords, orbit, pushing, repeated, timesWords, turning, weighed } from "./orbit";
 
 const UP: Point = [0, 1];
 
@@ -62,5 +62,15 @@ it("says how many times as a plain number", () => {
     "1.0",
     "0.042",
     "0.00000000093",
+  ]);
+});
+
+it("says a length in the unit in which one would say it", () => {
+  expect([1, 0.99 ** 60, 0.99 ** 230, 0.99 ** 1000, 0.9 ** 200].map(metresWords)).toEqual([
+    "1 m",
+    "55 cm",
+    "9.9 cm",
+    "0.043 mm",
+    "less than 0.001 mm",
   ]);
 });

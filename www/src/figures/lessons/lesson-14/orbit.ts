@@ -43,3 +43,10 @@ export function timesWords(times: number): string {
   const digits = Math.max(0, 1 - Math.floor(Math.log10(times)));
   return Number(times.toPrecision(2)).toFixed(Math.min(20, digits));
 }
+
+/** A length of at most a metre in the unit in which one would say it. */
+export function metresWords(metres: number): string {
+  if (metres >= 1) return "1 m";
+  if (metres >= 0.01) return `${timesWords(100 * metres)} cm`;
+  return metres >= 1e-6 ? `${timesWords(1000 * metres)} mm` : "less than 0.001 mm";
+}

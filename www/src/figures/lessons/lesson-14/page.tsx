@@ -2,67 +2,68 @@ import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Plot } from "../../kit/chart/plot";
 import { SliderControl } from "../../kit/frame/control";
-import { Formula } from "../../kit/frame/formula";
-import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket } from "../../kit/maps/families";
 import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
-import { number } from "../../kit/state/fields";
-import { useKept } from "../../kit/state/kept";
-import { ChoiceQuestion } from "../frame/choice-question";
-import { Lesson } from "../frame/lesson";
+import { number, whole } from "../../kit/state/fields";
 import lessonCss from "../frame/lesson.module.css";
-import { type Prediction, useChoice } from "../frame/prediction";
+import {
+  ChoiceQuestion,
+  Formula,
+  type Heading,
+  Lesson,
+  type Prediction,
+  useChoice,
+  useKept,
+} from "../frame/parts";
 import { Exercises } from "./exercises";
-import { far, orbit, pushing, repeated, timesWords, turning, weighed } from "./orbit";
+import { far, metresWords, orbit, repeated, timesWords, turning } from "./orbit";
 import { TEACHING } from "./teaching";
 import { Track } from "./track";
 
 const DEGREES = 25;
 const STEPS = 30;
 const START: Point = [1, 0.3];
-/** The map of the question, and the point that it moves. */
-const PUSH = pushing(0.6, 1.5);
-const UP: Point = [0, 1];
-const PUSH_STEPS = 12;
-/** So many times what is up counts on the other ruler. */
-const WEIGHT = 5;
-type Fate = "away" | "home" | "ring";
+/** The factor of the question, and how often it is applied. */
+const SLOW = 0.99;
+const MANY = 1000;
+type Left = "most" | "tenth" | "hair" | "nothing";
 
 /** Why maps must shrink. */
 export function Page(heading: Heading) {
-  const prediction = useChoice<Fate>(OPTIONS);
+  const prediction = useChoice<Left>(OPTIONS);
   return (
     <Lesson
       {...heading}
       text={
         <>
           <p>
-            This map turns the plane by {DEGREES} degrees around the ringed point, and makes every distance
-            from it <Formula>s</Formula> times as long. We apply it {STEPS} times and mark where one point
-            goes.
+            All maps so far made smaller copies: half as large in the triangle, 0.85 times as large in the
+            fern. Must they? This map turns the plane by {DEGREES} degrees around the ringed point, and makes
+            every distance from it <Formula>s</Formula> times as long.
           </p>
           <p>
-            Drag the scale <Formula>s</Formula>. A shape made of copies of itself needs maps that keep it
-            together: what happens when a map does not shrink?
+            It is applied {STEPS} times, and marks show where one point goes. Drag the scale{" "}
+            <Formula>s</Formula>, and find out where home becomes away.
           </p>
         </>
       }
-      question={<Pushed prediction={prediction} />}
+      question={<Slowly prediction={prediction} />}
       exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
         { name: "Map above", value: `a turn by ${DEGREES}° and a scale s, 0.5 to 1.2` },
-        { name: "Map of the question", value: [tex`(x, y) \mapsto (0.6 x + 1.5 y,\ 0.6 y)`] },
-        { name: "Point of the question", value: "(0, 1)" },
+        { name: "Scale in the question", symbol: "s", value: String(SLOW) },
+        { name: "Map of the second exercise", value: [tex`x \mapsto \tfrac12 x + 3`] },
       ]}
       sources={
         <p>
-          John Hutchinson (1981) proved for maps that shrink that they have one bounded shape of their own.
-          Gian-Carlo Rota and Gilbert Strang (<cite>A note on the joint spectral radius</cite>, 1960) proved
-          when one ruler can be found by which several linear maps all shrink.
+          Stefan Banach (1922) proved that a map which shrinks leaves exactly one point in place, and that all
+          others come to it, step by step. John Hutchinson (<cite>Fractals and self similarity</cite>, 1981)
+          proved the same of several maps and figures: they have one bounded shape of their own, and every
+          start comes to it.
         </p>
       }
       studio={{
@@ -119,85 +120,76 @@ function scaleWords(scale: number): string {
 
 const OPTIONS = [
   {
-    value: "away",
-    label: "It goes away for ever, since the map makes its distance longer",
-    wrong: "It does at first. But each step also takes 0.6 of what is up, and that is what it is pushed by.",
+    value: "most",
+    label: "Still more than half a metre: it hardly shrinks",
+    wrong: "So it is after 60 steps. But each step takes a hundredth of what is left: drag the steps below.",
   },
-  { value: "home", label: "It goes away at first, and then into the middle" },
   {
-    value: "ring",
-    label: "It comes to rest somewhere off the middle",
-    wrong: "A place of rest has to be its own next place. For this map only the middle is.",
+    value: "tenth",
+    label: "About 10 centimetres",
+    wrong: "There they are after 230 steps, and they go on. Drag the steps below.",
+  },
+  { value: "hair", label: "Less than a tenth of a millimetre" },
+  {
+    value: "nothing",
+    label: "Nothing: they have met",
+    wrong: "0.99 times a length is never nothing: they come as near as you like, and never meet.",
   },
 ] as const;
 
-function Pushed({ prediction }: { prediction: Prediction<Fate> }) {
-  const { shown } = prediction;
-  const points = useMemo(() => orbit(repeated(PUSH, shown ? PUSH_STEPS : 1), UP), [shown]);
+function Slowly({ prediction }: { prediction: Prediction<Left> }) {
   return (
-    <ChoiceQuestion<Fate>
+    <ChoiceQuestion<Left>
       prediction={prediction}
-      ask="This map takes 0.6 of what is across and of what is up, and then pushes to the side by 1.5 times what was up. In one step the point comes 1.62 times as far from the middle. What becomes of it in the long run?"
+      ask="A map shrinks hardly at all: it makes every distance 0.99 times as long. Two points are 1 metre apart. How far apart are they after a thousand steps?"
       options={OPTIONS}
-      truth="home"
-      beside={
-        <Track
-          points={points}
-          reach={1.05}
-          middle={[0.13, 0.8]}
-          label={
-            shown
-              ? "The point goes to the right for two steps, comes back along the axis, and ends in the middle."
-              : "A point one above the middle, and its next place: 1.5 to the right and 0.6 up."
-          }
-        />
-      }
-      after={<TwoRulers />}
-      line="Away for two steps, to 1.84 times as far, and then into the middle."
+      truth="hair"
+      after={<Factors />}
+      line="0.043 millimetres: less than a tenth of a millimetre."
     >
       <p>
-        After <Formula>n</Formula> steps the point is at{" "}
-        <Formula tex={tex`(1.5\, n \cdot 0.6^{n-1},\ 0.6^n)`} />. The push adds up like <Formula>n</Formula>,
-        but <Formula tex={tex`0.6^n`} /> becomes small faster than <Formula>n</Formula> grows.
+        Each step leaves 0.99 of what is there, so <Formula>n</Formula> steps leave{" "}
+        <Formula tex={tex`0.99^n`} />. Every 69 steps half of it is gone, and half of the half, and so on. Any
+        factor below 1 does it, if one waits. At exactly 1 nothing comes nearer, ever, and above 1 all that is
+        apart flies apart.
       </p>
       <p>
-        A map <em>shrinks</em> if it makes every distance at most <Formula>s</Formula> times as long, for one{" "}
-        <Formula>s</Formula> below 1. By the usual ruler this one does not. But count what is across plus{" "}
-        {WEIGHT} times what is up: by that ruler each step leaves at most 0.9 of any distance. A ruler of
-        one’s own is allowed, and so Hutchinson’s theorem (1981) holds for this map, too.
-      </p>
-      <p>
-        Several maps need one ruler by which all of them shrink. For linear maps there is one exactly when
-        their <em>joint spectral radius</em> is below 1 (Rota and Strang 1960). That is the number to which
-        the <Formula>n</Formula>-th root of the most by which any product of <Formula>n</Formula> of them
-        lengthens tends as <Formula>n</Formula> grows.
+        So one says that a map <em>shrinks</em> if it makes every distance at most <Formula>s</Formula> times
+        as long, for one fixed <Formula>s</Formula> below 1. If all maps of a shape do, each step brings any
+        two starts nearer to each other: that is why they all lead to one shape. With a map that does not,
+        there may be none, or more than one.
       </p>
     </ChoiceQuestion>
   );
 }
 
-/** The same way measured twice. */
-function TwoRulers() {
-  const points = useMemo(() => orbit(repeated(PUSH, PUSH_STEPS), UP), []);
-  const plain = points.map((point, n) => [n, far(point)] as const);
-  const other = points.map((point, n) => [n, weighed(point, WEIGHT) / WEIGHT] as const);
+const FACTORS = [0.9, 0.99, 0.999, 1] as const;
+const SAMPLES = Array.from({ length: 101 }, (_, i) => (MANY * i) / 100);
+
+/** How a distance goes down, by its factor. */
+function Factors() {
+  const [steps, setSteps] = useKept("steps", 100, whole(0, MANY));
+  const left = FACTORS.map((factor) => `${factor}: ${metresWords(factor ** steps)}`).join(", ");
   return (
-    <Plot
-      label="The distance from the middle by steps. By the usual ruler it rises from 1 to 1.84 at step 2 and then falls; by the other it falls at every step."
-      x={{ min: 0, max: PUSH_STEPS, ticks: [0, 2, 4, 6, 8, 10, 12], name: "step" }}
-      y={{ min: 0, max: 2, ticks: [0, 0.5, 1, 1.5, 2], name: "distance, 1 at the start" }}
-      series={[
-        { name: "usual ruler", points: plain, colour: 0, dots: true, nameAt: 3, raise: 10 },
-        {
-          name: "across plus 5 times up",
-          points: other,
-          colour: 1,
-          dots: true,
-          dashed: true,
-          nameAt: 5,
-          raise: -20,
-        },
-      ]}
-    />
+    <>
+      <Plot
+        label={`A distance of 1 metre by steps: by factor 0.9 it is gone at once, by 0.99 within some hundred steps, by 0.999 it is 37 centimetres after a thousand, by 1 it stays. After ${steps} steps: ${left}.`}
+        x={{ min: 0, max: MANY, ticks: [0, 200, 400, 600, 800, 1000], name: "steps" }}
+        y={{ min: 0, max: 1.1, ticks: [0, 0.25, 0.5, 0.75, 1], name: "metres apart" }}
+        series={FACTORS.map((factor, i) => ({
+          name: String(factor),
+          points: SAMPLES.map((n) => [n, factor ** n] as const),
+          colour: i,
+          nameAt: [4, 12, 50, 90][i] ?? 0,
+        }))}
+        now={steps}
+      />
+      <div class={layout["controls"]}>
+        <SliderControl label="steps" symbol="n" range={[0, MANY]} whole value={steps} onChange={setSteps} />
+      </div>
+      <p class="number" aria-live="polite">
+        {left}
+      </p>
+    </>
   );
 }

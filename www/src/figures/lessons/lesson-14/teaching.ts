@@ -1,15 +1,15 @@
 import type { Teaching } from "../frame/teaching";
 
 export const TEACHING: Teaching = {
-  aim: "To say what it means that a map shrinks, and to tell a map that brings every point home from one that does not.",
+  aim: "To say what it means that a map shrinks, and why any factor below 1 is enough and 1 is not.",
   mistakes: [
-    "A map that makes some length longer cannot lead inwards. What counts is the long run, not the first step.",
-    "At scale 1 the points still come nearer, only slowly. They stay exactly as far as they are.",
-    "If each of two maps alone brings all points home, so do both together. By turns they may lead away.",
+    "“0.99 is nearly 1, so hardly anything happens.” In the long run only that it is below 1 counts.",
+    "“At scale 1 the points still come nearer, only slowly.” They stay exactly as far apart as they are.",
+    "“After enough steps the distance is 0.” It gets below any length that one names, and is never 0.",
   ],
   questions: [
     {
-      ask: "A map has scale 0.9. After how many steps is every point nearer than half of what it was?",
+      ask: "A map has scale 0.9. After how many steps is every point nearer to the middle than half of what it was?",
       answer: "After 7: 0.9 to the power of 7 is 0.478, to the power of 6 it is 0.531.",
     },
     {
@@ -18,14 +18,14 @@ export const TEACHING: Teaching = {
         "Two of its points as far apart as any would have copies twice as far apart, within the same shape.",
     },
     {
-      ask: "A map halves what is across and makes what is up 1.1 times as long. Does it bring all points home?",
-      answer: "No: a point straight above the middle goes away, by a tenth more with each step.",
+      ask: "Which number stays where it is if one takes a third of it and adds 4?",
+      answer: "6: a third of it is 2, and 2 + 4 = 6.",
     },
   ],
   answer:
-    "Away for two steps, to 1.84 times as far, and then into the middle: in the long run only the scale counts.",
+    "Less than a tenth of a millimetre: 0.99 to the power of 1000 is 0.000043, so 0.043 millimetres are left of a metre.",
   solutions: [
-    "A scale below 1, and enough push: scale 0.8 and push 2, for example. In the long run only the scale counts.",
-    "A and B by turns, A first: what A moves across, B pushes up by. Each pair of steps makes the point larger.",
+    "0.93: its tenth power is 0.484, and that of 0.94 is 0.539.",
+    "6: half of it is 3, and 3 + 3 = 6.",
   ],
 };
