@@ -28,4 +28,11 @@ it.each(LESSONS.map(({ id, title }) => [id, title]))("%s, %s, has words for teac
   // A handout has a solution of every exercise.
   expect(teaching.solutions.length).toBeGreaterThanOrEqual(2);
   expect(teaching.solutions.length).toBe(exercisesOf(folder));
+  expect(teaching.onPaper.length).toBe(teaching.solutions.length);
+  for (const { ask, answer } of teaching.onPaper.filter((one) => one !== "same")) {
+    expect(ask).toMatch(/^.{2,}[.?)]$/su);
+    expect(answer).toMatch(/^.{2,}[.”]$/su);
+    // What only the page can do.
+    expect(ask).not.toMatch(/\b(slider|drag|press|click|board)\b/i);
+  }
 });

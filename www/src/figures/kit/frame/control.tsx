@@ -17,7 +17,7 @@ interface ControlProps {
 /** A field with its name and its value above it. The field names itself to those who hear it. */
 export function Control({ label, symbol, value, children }: ControlProps) {
   return (
-    <div class={css["control"]}>
+    <div class={css["control"]} data-control="">
       <div class={css["control-head"]} aria-hidden="true">
         <span>
           {label} {symbol !== undefined && <Given as={symbol} />}

@@ -9,8 +9,8 @@ import { CopyLink } from "../../kit/state/copy-link";
 import { useValue } from "../../kit/workers";
 import { done, markDone } from "./done";
 import css from "./exercise.module.css";
-import { Room } from "./handout/room";
-import { LessonId } from "./lesson-id";
+import { Room, Squares } from "./handout/room";
+import { LessonId, OnPaper } from "./lesson-id";
 
 interface ExerciseProps {
   /** Its place among the exercises of the lesson, from 1. */
@@ -29,6 +29,8 @@ interface ExerciseProps {
 /** Something to be made, which the program can check. Once solved it stays marked, whatever is tried after. */
 export function Exercise({ number, ask, hints, solved, status, children }: ExerciseProps) {
   const lesson = useContext(LessonId);
+  const written = useContext(OnPaper)[number - 1] ?? "same";
+  const drawn = written !== "same" && written.space === "squares";
   const name = `${lesson}.${number}`;
   const [told, setTold] = useState(0);
   const heading = useOwnId("exercise");
@@ -41,6 +43,7 @@ export function Exercise({ number, ask, hints, solved, status, children }: Exerc
       class={frameCss["figure-live"]}
       data-testid="exercise"
       data-step={`exercise-${number}`}
+      data-paper={written === "same" ? undefined : (written.space ?? "lines")}
       aria-labelledby={heading}
     >
       <div class={frameCss["step-head"]}>
@@ -54,8 +57,15 @@ export function Exercise({ number, ask, hints, solved, status, children }: Exerc
         </h3>
         <CopyLink step={`exercise-${number}`} />
       </div>
-      <p class={css["ask"]}>{ask}</p>
-      {children}
+      <p class={css["ask"]} data-screen={written === "same" ? undefined : ""}>
+        {ask}
+      </p>
+      {written !== "same" && (
+        <p class={`${css["ask"]} ${css["on-paper"]}`} aria-hidden="true">
+          {written.ask}
+        </p>
+      )}
+      <div class={css["made"]}>{children}</div>
       <p class={css["status"]} data-solved={solved ? "" : undefined} aria-live="polite">
         {solved && (
           <strong>
@@ -64,7 +74,8 @@ export function Exercise({ number, ask, hints, solved, status, children }: Exerc
         )}
         {status}
       </p>
-      <Room lines={3} />
+      {drawn && <Squares />}
+      <Room lines={drawn ? 2 : 3} />
       <div class={css["hints"]} aria-live="polite">
         {hints.slice(0, told).map((hint, i) => (
           <p key={hint}>

@@ -10,7 +10,7 @@ import { guessWords, keepGuess } from "./guesses";
 import { printHandout, printHandouts } from "./handout/paper";
 import { Room, Whose } from "./handout/room";
 import css from "./lesson.module.css";
-import { LessonId } from "./lesson-id";
+import { LessonId, OnPaper } from "./lesson-id";
 import type { Prediction } from "./prediction";
 import { Slides, SlidesButton } from "./slides";
 import { ForTeachers, type Teaching } from "./teaching";
@@ -74,7 +74,7 @@ export function Lesson(props: LessonProps) {
           <p class={css["paper-name"]} aria-hidden="true">
             {props.number}, {props.title}
           </p>
-          {props.exercises}
+          <OnPaper.Provider value={props.teaching.onPaper}>{props.exercises}</OnPaper.Provider>
         </div>
       )}
       <div class={`${frameCss["figure-foot"]} ${css["foot"]}`}>

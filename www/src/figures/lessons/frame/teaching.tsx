@@ -4,6 +4,14 @@ import { useValue } from "../../kit/workers";
 import { paper } from "./handout/paper";
 import css from "./teaching.module.css";
 
+/** An exercise as a handout has it, where nothing can be pressed or dragged. */
+export interface PaperExercise {
+  ask: string;
+  /** What is there besides lines to write on: the picture of the exercise as it begins, or squares to draw on. */
+  space?: "picture" | "squares";
+  answer: string;
+}
+
 /** What a teacher wants to know of a lesson. */
 export interface Teaching {
   /** What one can do after it that one could not before. */
@@ -16,6 +24,8 @@ export interface Teaching {
   answer: string;
   /** A solution of each exercise, in their order. */
   solutions: readonly string[];
+  /** The exercises of the handout, in the same order; `same` is one that needs paper only. */
+  onPaper: readonly (PaperExercise | "same")[];
 }
 
 interface ForTeachersProps {
@@ -26,7 +36,7 @@ interface ForTeachersProps {
 
 /** For whoever teaches with it; folded away for those who learn. On paper it is a page of its own. */
 export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
-  const { aim, mistakes, questions, answer, solutions } = teaching;
+  const { aim, mistakes, questions, answer, solutions, onPaper } = teaching;
   const fold = useRef<HTMLDetailsElement>(null);
   const covered = useValue(paper);
   const [told, setTold] = useState(false);
@@ -64,10 +74,27 @@ export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
           <>
             <h3>Solutions of the exercises</h3>
             <ol>
-              {solutions.map((solution) => (
-                <li key={solution}>{solution}</li>
+              {solutions.map((solution, i) => (
+                <li key={solution}>{covered ? answerOf(onPaper[i], solution) : solution}</li>
               ))}
             </ol>
+          </>
+        )}
+        {!covered && onPaper.some((one) => one !== "same") && (
+          <>
+            <h3>On the handout</h3>
+            <p>Nothing can be dragged there, so these take the place of exercises of the page:</p>
+            <ul>
+              {onPaper.map(
+                (one, i) =>
+                  one !== "same" && (
+                    <li key={one.ask}>
+                      {`Exercise ${i + 1}: ${one.ask} `}
+                      {answers && <em>{one.answer}</em>}
+                    </li>
+                  ),
+              )}
+            </ul>
           </>
         )}
         <h3>Common mistakes</h3>
@@ -88,3 +115,6 @@ export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
     </details>
   );
 }
+
+const answerOf = (onPaper: PaperExercise | "same" | undefined, solution: string) =>
+  onPaper === undefined || onPaper === "same" ? solution : onPaper.answer;

@@ -27,4 +27,13 @@ export const TEACHING: Teaching = {
     "0.65 for both: 0.35 + 0.65 = 1. Pieces 2 and 3 then overlap.",
     "0.55: piece 3 has to reach piece 1, and 0.45 + 0.55 = 1. Pieces 1 and 2 hang together by way of piece 3.",
   ],
+  onPaper: [
+    {
+      ask: "Piece 1 has scale 0.35. Which scales must the other two have, so that piece 1 touches each of them in one point? Draw the three triangles. Do pieces 2 and 3 touch then, or overlap?",
+      space: "squares",
+      answer:
+        "0.65 for both: 0.35 + 0.65 = 1. Along the right side 0.65 + 0.65 is more than 1: pieces 2 and 3 overlap.",
+    },
+    "same",
+  ],
 };

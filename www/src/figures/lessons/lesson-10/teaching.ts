@@ -21,4 +21,15 @@ export const TEACHING: Teaching = {
     "1 to 1, 2 to 3, 3 to 2; or 1 to 3, 2 to 2, 3 to 1.",
     "1 to 2, 2 to 3, 3 to 1: its best way opens a gap of 0.3% only.",
   ],
+  onPaper: [
+    {
+      ask: "Write down all ways to pair three pieces with three. In which of them does exactly one piece keep its number, and in which none?",
+      answer:
+        "123, 132, 213, 321, 231 and 312. One keeps its number in 132, 213 and 321, none in 231 and 312.",
+    },
+    {
+      ask: "Two shapes have four pieces each. How many pairings are there? In how many of them does piece 1 become piece 1? In how many do pieces 1 and 2 change places, and the others keep their numbers?",
+      answer: "24; six; one.",
+    },
+  ],
 };

@@ -27,4 +27,5 @@ export const TEACHING: Teaching = {
     "2311: the letters of 1132 in the other order.",
     "1231: the first letter stays, and 132 is turned round.",
   ],
+  onPaper: ["same", "same"],
 };

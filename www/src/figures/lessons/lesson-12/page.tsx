@@ -167,7 +167,9 @@ function Film({ most }: { most: number }) {
           <Button icon="open" onClick={() => file.current?.click()}>
             A picture of yours
           </Button>
-          <span class={layout["hint"]}>It stays on this device.</span>
+          <span class={layout["hint"]} data-screen="">
+            It stays on this device.
+          </span>
           <input
             ref={file}
             class={css["file"]}
@@ -194,7 +196,7 @@ function Film({ most }: { most: number }) {
           {3 ** steps} {steps === 0 ? "figure" : "copies"},{" "}
           {2 ** steps === 1 ? "as large as it is" : `${2 ** steps} times smaller`}
         </p>
-        <p class={layout["hint"]}>
+        <p class={layout["hint"]} data-screen="">
           {most < MOST
             ? `Once you have guessed, below, it goes on to ${MOST}.`
             : `It goes on to ${MOST} now.`}

@@ -27,4 +27,13 @@ export const TEACHING: Teaching = {
     "10 steps: 2 to the power of 10 is 1024, the first power of 2 above 1000.",
     "The gasket. It is made of three half-size copies of itself already.",
   ],
+  onPaper: [
+    "same",
+    {
+      ask: "Draw a square whose side is 16 small squares. A step makes three copies of all there is, half as large: at the lower left, at the lower right, and on top in the middle. Draw what is there after one step, and after two. What will come of it?",
+      space: "squares",
+      answer:
+        "Three squares of side 8, then nine of side 4. They come near to a gasket, as any other start would.",
+    },
+  ],
 };

@@ -26,4 +26,15 @@ export const TEACHING: Teaching = {
     "Map 4: the leaves of one side are missing, and so are the leaflets of one side of each leaf.",
     "0°: the large map then no longer turns, and nothing bends.",
   ],
+  onPaper: [
+    {
+      ask: "One map of this fern has been left out: 2, all but the lowest pair of leaves; 3, a leaf on the left; or 4, a leaf on the right. Which? How do you see it in a single leaf?",
+      space: "picture",
+      answer: "Map 4: the leaves of one side are missing, and so are the leaflets of one side of each leaf.",
+    },
+    {
+      ask: "The large map of a fern makes everything 0.85 times as large. The lowest leaf is 20 cm long. How long are those above it on the same side? Which is the first one that is shorter than 10 cm?",
+      answer: "17, 14.5, 12.3, 10.4 and 8.9 cm: the sixth.",
+    },
+  ],
 };

@@ -28,4 +28,13 @@ export const TEACHING: Teaching = {
     "0.93: its tenth power is 0.484, and that of 0.94 is 0.539.",
     "6: half of it is 3, and 3 + 3 = 6.",
   ],
+  onPaper: [
+    {
+      ask: "A map has scale 0.8. Two points are 1 metre apart. Work out how far apart they are after 1, 2, 3, … steps, and draw it, a square for each tenth of a metre. After how many steps are they less than 10 centimetres apart?",
+      space: "squares",
+      answer:
+        "0.8, 0.64, 0.512, 0.41, 0.328, 0.262, 0.21, 0.168, 0.134, 0.107, 0.086 metres: after 11 steps.",
+    },
+    "same",
+  ],
 };

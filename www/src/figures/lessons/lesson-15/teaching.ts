@@ -27,4 +27,12 @@ export const TEACHING: Teaching = {
     "Weights 0.4, 0.6 and 1, or 0.6, 0.4 and 1: the chances are 0.2, 0.3 and 0.5, and 0.2 · 0.3 = 0.06.",
     "0.36, which is 0.6 · 0.6: a piece gets the share of the marks that it has of the area.",
   ],
+  onPaper: [
+    {
+      ask: "Half of all throws shall land in piece 3, and 6 of 100 in piece 1 of piece 2. Both are framed. Which chances must the three faces of the die have?",
+      space: "picture",
+      answer: "0.2, 0.3 and 0.5, or 0.3, 0.2 and 0.5: then 0.2 · 0.3 = 0.06.",
+    },
+    "same",
+  ],
 };

@@ -21,4 +21,5 @@ export const TEACHING: Teaching = {
     "(12): one third is two thirds of the left half, and that is one third of the right half of it.",
     "31(2) and 32(1).",
   ],
+  onPaper: ["same", "same", "same"],
 };

@@ -23,4 +23,12 @@ export const TEACHING: Teaching = {
     "¼: two copies, and 2 · √¼ = 1.",
     "½: the pieces meet in single points, and the dimension is log 3 / log 2 = 1.585. With less they are apart, with more they overlap.",
   ],
+  onPaper: [
+    "same",
+    {
+      ask: "Draw a square of 9 by 9 small squares. Leave out the middle block of 3 by 3, and the middle square of each other block. How many blocks are left, and how many squares? How does the count grow when boxes get three times finer, and is the dimension nearer to 1 or to 2?",
+      space: "squares",
+      answer: "8 blocks and 64 squares: eight times as many. 3 to the power of 1.893 is 8: nearer to 2.",
+    },
+  ],
 };

@@ -28,4 +28,14 @@ export const TEACHING: Teaching = {
     "0.59 or 0.60: the dimension is 1 + log(2s) / log 2.",
     "Two pieces straight, and two of 0.7 or more in size: 0.7 + 0.7 = 1.4 is above 1.32. One alone is below 1.",
   ],
+  onPaper: [
+    {
+      ask: "A curve through three points has two pieces, both of roughness s. Its dimension is 1 + log(2s) / log 2. Which s gives 1.25? (2 to the power of ¼ is 1.19.)",
+      answer: "2s is 1.19, so s is about 0.59 or 0.6.",
+    },
+    {
+      ask: "Which of these curves of four pieces is more than a line? Roughnesses: a) 0.2, 0.2, 0.2, 0.2; b) 0.9, 0, 0, 0; c) 0.5, −0.5, 0.5, 0. Work out the dimension of that one. (log 1.5 / log 4 = 0.29)",
+      answer: "The sizes sum to 0.8, 0.9 and 1.5: only c, whose dimension is 1.29.",
+    },
+  ],
 };

@@ -28,4 +28,17 @@ export const TEACHING: Teaching = {
     "First towards 3, then towards 2: the last throw chooses the large triangle, the one before it the small one within.",
     "0.6 of the way: then the scale of the pieces is 0.4, and 1 − 2 · 0.4 = 0.2.",
   ],
+  onPaper: [
+    {
+      ask: "Which two throws bring a mark into the framed triangle, the top part of the piece at the lower right, wherever it was before? Which comes first, and why?",
+      space: "picture",
+      answer:
+        "First towards 3, then towards 2: the last throw chooses the large triangle, the one before it the small one within.",
+    },
+    {
+      ask: "Jump 0.6 of the way instead of half of it. How large is each of the three parts, and how wide is the gap between two of them, on a side of length 1? How far must one jump for a gap of 0.5?",
+      answer:
+        "Each part is 0.4 as large as the whole, and 1 − 2 · 0.4 = 0.2 is left. For a gap of 0.5 one jumps 0.75 of the way.",
+    },
+  ],
 };

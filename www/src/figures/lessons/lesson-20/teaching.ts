@@ -29,4 +29,16 @@ export const TEACHING: Teaching = {
     "u = 0.17, v = 0.5, for example.",
     "Near u = 0.166 on the line v = 0.5: 0.165 is in one piece and 0.167 is not.",
   ],
+  onPaper: [
+    {
+      ask: "Draw the map of shapes from (0, 0) to (1, 1), u across and v up. Mark A, B, the middle of the straight way, and the shape that has turned half of the way and has not moved at all. What are its numbers?",
+      space: "squares",
+      answer: "A = (0, 0), B = (1, 1), the middle (0.5, 0.5), and (0.5, 0).",
+    },
+    {
+      ask: "On a line of the map the shape at u = 0 is in one piece and that at u = 0.5 in pieces. You may ask about one shape at a time, always in the middle. The answers: 0.25 in pieces, 0.125 in one piece, 0.1875 in pieces, 0.15625 in one piece. Between which two numbers is a border? How many questions in all until they are within 0.002?",
+      answer:
+        "Between 0.15625 and 0.1875. Eight: each question halves what is left, and 0.5 / 256 is 0.00195.",
+    },
+  ],
 };

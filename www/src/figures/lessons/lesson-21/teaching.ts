@@ -28,4 +28,17 @@ export const TEACHING: Teaching = {
     "One end of B on the short way between the ends of A, over the lower left corner; the other one anywhere else.",
     "One end of B on the right side below the end of A, the other one above it: they take turns on the border.",
   ],
+  onPaper: [
+    {
+      ask: "Go once round a square. The ends of two curves in it come in this order: a) A, B, A, B; b) A, A, B, B; c) A, B, B, A. Which of them must meet? Draw the others so that they do not.",
+      space: "squares",
+      answer:
+        "Only a. In b and c the two ends of A stand next to each other round the square, and so do those of B.",
+    },
+    {
+      ask: "A curve A goes from the left side of a square to the right one. Draw a curve B with both ends on the right side that must meet A, and another one that need not.",
+      space: "squares",
+      answer: "One end of B below that of A and the other one above it; both ends on one side of it.",
+    },
+  ],
 };

@@ -24,4 +24,15 @@ export const TEACHING: Teaching = {
   answer:
     "The plain bend, exactly. The shares of the levels sum to 1 at every roughness, and at 0 the first level, which turns no letter round, has all of it.",
   solutions: ["A roughness of 0.25 at most, and 0.1 at least.", "Locality 3."],
+  onPaper: [
+    {
+      ask: "The roughness is 0.5, and there are only four levels: their shares are as 1, 0.5, 0.25 and 0.125. Work them out as parts of 100 and draw the bars. What are they with roughness 0?",
+      space: "squares",
+      answer: "53, 27, 13 and 7 of 100; with roughness 0 the first level has all 100.",
+    },
+    {
+      ask: "A point has the code 1323. Which codes does it take pulls from at locality 0, when the first two letters are turned round, or three, or all four? And at locality 2?",
+      answer: "Its own, 3123, 2313 and 3231. At locality 2 the first two letters stay: its own, and 1332.",
+    },
+  ],
 };

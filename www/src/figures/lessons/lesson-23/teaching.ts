@@ -27,4 +27,13 @@ export const TEACHING: Teaching = {
     "Copies of size 0.6 on the three lobes, those at the sides turned by 60° and −60°, and a small one of 0.3 in the middle.",
     "0.7: 0.06 / (1 − 0.7) = 0.2.",
   ],
+  onPaper: [
+    {
+      ask: "Draw the outline of a leaf, or put one below the paper. Cover it with four or five smaller copies of itself as well as you can. Where is it worst, and how many millimetres is that?",
+      space: "squares",
+      answer:
+        "It depends on the leaf. Look for the place of the leaf that is farthest from all copies, and for the place of a copy that sticks out farthest: the larger distance counts.",
+    },
+    "same",
+  ],
 };

@@ -30,4 +30,18 @@ export const TEACHING: Teaching = {
     "45° round, and 35° up: there the shadow is a whole hexagon.",
     "60° round and 35° up, for example: the light then comes at right angles to two edges that do not meet.",
   ],
+  onPaper: [
+    {
+      ask: "A cube is cut into 27 small ones, and the middle one of each face and the one in the middle of all are taken away. Draw the shadow from straight in front, after this step and after the same step with each small cube.",
+      space: "squares",
+      answer:
+        "A square of nine without the one in the middle; then each of the eight without its own middle.",
+    },
+    {
+      ask: "A tetrahedron balances on an edge. From above it is a square, whose diagonals are the lowest and the highest edge. Four half-size copies stand in its corners. Where do their shadows fall? Draw this step and the next one. What of the square is missing?",
+      space: "squares",
+      answer:
+        "Each falls into one quarter of the square, and the four quarters are all of it: nothing is missing, at any step.",
+    },
+  ],
 };

@@ -25,4 +25,14 @@ export const TEACHING: Teaching = {
   answer:
     "Three times, degree by degree: in one piece to 68°, dust from 69° to 75°, in one piece from 76° to 81°, and dust from 82° on.",
   solutions: ["81°.", "0.708: its square, 0.5013, is just above ½, and that of 0.707 is 0.4998."],
+  onPaper: [
+    {
+      ask: "On the circle of size 0.68 it is proved: 66° to 68° in one piece, 69° to 75° dust, 76° to 81° in one piece, 82° to 90° dust. How often is the edge of M crossed between 66° and 90°, at least? May it be more often?",
+      answer: "Three times. It may be more often: nobody has looked between two degrees.",
+    },
+    {
+      ask: "Let s point straight up: s = ri. Then s² = −r², and the shape is made of two dusts of scale r², which close at ½. From which r on is it in one piece? Give it to three digits.",
+      answer: "From the root of ½, 0.7071, on: 0.708 is the first thousandth.",
+    },
+  ],
 };

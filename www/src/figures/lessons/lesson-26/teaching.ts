@@ -28,4 +28,5 @@ export const TEACHING: Teaching = {
     "0.63: its third power is ¼.",
     "0.80: the third power of 0.7937 is ½, and 0.79 is still below it.",
   ],
+  onPaper: ["same", "same"],
 };

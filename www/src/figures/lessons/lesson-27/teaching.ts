@@ -24,4 +24,5 @@ export const TEACHING: Teaching = {
   ],
   answer: "3: with three digits the leaf is surely within 0.0017 of its height, with two only within 0.036.",
   solutions: ["36 bytes: the picture is 312 times as long.", "0.70: 0.003 / 0.3 is 0.01."],
+  onPaper: ["same", "same"],
 };

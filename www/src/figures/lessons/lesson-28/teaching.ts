@@ -28,4 +28,13 @@ export const TEACHING: Teaching = {
     "120° or 240°: the three maps of the foot change places.",
     "0.3: the map halves what was moved back, so −0.3 + 0.6 are left.",
   ],
+  onPaper: [
+    {
+      ask: "Three maps halve everything towards the corners (0, 0), (8, 0) and (4, 6): each is ½ x + ½ c. The shape is turned by a quarter to the left about (0, 0). Draw both triangles. Which shifts do the new maps have?",
+      space: "squares",
+      answer:
+        "The corners become (0, 0), (0, 8) and (−6, 4), so the shifts are (0, 0), (0, 4) and (−3, 2). The ½ stays.",
+    },
+    "same",
+  ],
 };

@@ -28,4 +28,13 @@ export const TEACHING: Teaching = {
     "0.50: over a quarter the height is ½ + s.",
     "0.71: the dimension is 2 + log s / log 2, and 2 to the power of −½ is 0.707.",
   ],
+  onPaper: [
+    "same",
+    {
+      ask: "Draw the tent through (0, 0), (8, 8) and (16, 0), and take s = ½. Each step puts tents onto the curve that are half as wide and half as tall as those before: first two that are 8 wide and 4 high, then four that are 4 wide and 2 high. Draw the curve after both steps.",
+      space: "squares",
+      answer:
+        "After one step it is 0, 8, 8, 8, 0 high over 0, 4, 8, 12, 16; after two it is 0, 6, 8, 10, 8, 10, 8, 6, 0 high over 0, 2, 4, …, 16.",
+    },
+  ],
 };

@@ -27,4 +27,17 @@ export const TEACHING: Teaching = {
     "The middle cell and the four next to it, or the middle cell and the four corners.",
     "Two cells one above the other, for example: the shape is then a dust on a line, and its two pieces are apart though their cells share an edge.",
   ],
+  onPaper: [
+    {
+      ask: "Each piece of a shape is the whole, a third as large, in one of the nine cells of a square. Choose five cells so that the overlap graph is a star: one dot has a line to each of the other four, and there are no more lines. Draw the cells and the graph.",
+      space: "squares",
+      answer: "The middle cell and the four next to it, or the middle cell and the four corners.",
+    },
+    {
+      ask: "Two cells of the nine, one above the other, share an edge. The shape of just these two, a third as large each, is in pieces all the same. Draw the first two steps, and say why.",
+      space: "squares",
+      answer:
+        "In each cell only two cells of nine are kept, one above the other: the shape is a dust on an upright line. Of the lower two cells, say, it reaches up to 1/2, its pieces from 0 to 1/6 and from 1/3 to 1/2.",
+    },
+  ],
 };

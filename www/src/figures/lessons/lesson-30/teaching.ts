@@ -29,4 +29,16 @@ export const TEACHING: Teaching = {
     "A scale below 1, and enough push: scale 0.8 and push 2, for example. In the long run only the scale counts.",
     "A and B by turns, A first: what A moves across, B pushes up by. Each pair of steps makes the point larger.",
   ],
+  onPaper: [
+    {
+      ask: "A map takes 0.5 of what is across and of what is up, and pushes to the side by 2 times what was up. Follow the point (0, 1) for four steps and draw where it goes. After which step is it farthest from the middle?",
+      space: "squares",
+      answer: "(2, 0.5), (2, 0.25), (1.5, 0.125), (1, 0.0625). It is farthest after the first step: 2.06.",
+    },
+    {
+      ask: "Map A takes (x, y) to (x/2 + y, y/2), map B takes (x, y) to (x/2, x + y/2). Begin at (0, 1) and take A, B, A, B. How far is the point from the middle after the second and after the fourth step? And if A is taken four times?",
+      answer:
+        "(1, 0.5), (0.5, 1.25), (1.5, 0.625), (0.75, 1.8125): 1.35 and 1.96 times as far as at the start. By A alone it is at (0.5, 0.0625) after four steps.",
+    },
+  ],
 };

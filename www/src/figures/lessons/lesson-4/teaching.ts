@@ -27,4 +27,11 @@ export const TEACHING: Teaching = {
     "r = 0.48, for example.",
     "5: 2 · 0.48⁶ = 0.0245 is below 0.04, and 2 · 0.48⁵ = 0.0510 is not.",
   ],
+  onPaper: [
+    {
+      ask: "For r = 0.4 the gap is 0.2, and the distance that is measured is never less. Work out the bound 2rⁿ⁺¹ for n = 0, 1, 2 and 3. From which n on are the pieces surely proved apart?",
+      answer: "0.8, 0.32, 0.128 and 0.0512: from n = 2 on.",
+    },
+    "same",
+  ],
 };

@@ -28,4 +28,16 @@ export const TEACHING: Teaching = {
     "Any even number, 16 for example: the common point of pieces 1 and 2 then lies on a line between two pixels, and no pixel holds both tips.",
     "27: with 29 pixels it is wrong again.",
   ],
+  onPaper: [
+    {
+      ask: "Pieces 1 and 2 of the gasket touch in one point, in the middle of the lower side. One picture has 15 pixels along that side, another one 16. In which of them can the two pieces share a pixel there, and why?",
+      space: "squares",
+      answer:
+        "With 15 the middle lies within the eighth pixel, and both tips reach into it. With 16 it lies on the line between two pixels: the tip of one piece is on the left of it, that of the other on the right.",
+    },
+    {
+      ask: "Two pieces are 0.04 of the side apart. How many pixels must the side have, so that no pixel can hold marks of both, however the grid lies? Two points of one pixel are at most 1.42 of its sides apart.",
+      answer: "A pixel must be narrower than 0.04 / 1.42 = 0.0282 of the side: 36 are enough.",
+    },
+  ],
 };

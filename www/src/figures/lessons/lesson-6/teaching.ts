@@ -28,4 +28,16 @@ export const TEACHING: Teaching = {
     "120°. Half-way lies the middle of the chord between two points of a circle; it is cos(120° / 2) = ½ of the radius away from the centre.",
     "A stop at 90°. Then each part is a quarter turn, and the least on the way is cos 45° = 0.707.",
   ],
+  onPaper: [
+    {
+      ask: "A letter is turned by some angle and led back number by number. Half-way each of its points is in the middle of a straight line, from where it was to where it shall be. For which angle is the letter half as large there? Draw the circle on which a point lies, and the line.",
+      space: "squares",
+      answer:
+        "120°: half-way is the middle of the chord, and it is cos(120° / 2) = ½ of the radius away from the centre.",
+    },
+    {
+      ask: "A half turn is made in three equal parts, number by number in each. How large is the letter at least on the way, as a part of what it was? And with two equal parts? (cos 30° = 0.866, cos 45° = 0.707)",
+      answer: "Each part is a turn of 60°: 0.866. With two parts of 90° it is 0.707.",
+    },
+  ],
 };

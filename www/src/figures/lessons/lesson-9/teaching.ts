@@ -27,4 +27,16 @@ export const TEACHING: Teaching = {
     "0.38: piece 3 is then 0.10 from piece 1.",
     "Scale 0.72 for piece 1: it reaches both others, and changes by 0.20. Piece 3 alone would have to grow by 0.30.",
   ],
+  onPaper: [
+    {
+      ask: "Three pieces with scales 0.52, 0.42 and 0.28 lie in the corners of a triangle of side 1. Work out the three distances, and the gap. Which scale must piece 3 have for a gap of 0.10?",
+      space: "picture",
+      answer: "0.06, 0.20 and 0.30: the gap is 0.20. With 0.38 piece 3 is 0.10 from piece 1.",
+    },
+    {
+      ask: "The scales are 0.52, 0.42 and 0.28 again. You may change one of them. Which one closes the gap by the least change, and how large must it be?",
+      answer:
+        "Piece 1: at 0.72 it reaches both others, a change of 0.20. Each of the others would have to grow by 0.30.",
+    },
+  ],
 };

@@ -6,6 +6,11 @@ export function Room({ lines }: { lines: number }) {
   return <div class={css["room"]} style={{ "--lines": lines }} aria-hidden="true" />;
 }
 
+/** Squares of half a centimetre to draw on; on paper only. */
+export function Squares() {
+  return <div class={css["squares"]} aria-hidden="true" />;
+}
+
 /** Whose handout it is; on paper only. */
 export function Whose() {
   return (
