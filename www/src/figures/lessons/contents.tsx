@@ -1,3 +1,4 @@
+import { signal } from "@preact/signals";
 import { Button } from "#ui/controls/Button";
 import { Icon } from "#ui/controls/Icon";
 import { Cards } from "../cards";
@@ -9,12 +10,18 @@ import { hrefOf } from "../list";
 import overviewCss from "../overview.module.css";
 import css from "./contents.module.css";
 import { LESSONS, type Lesson, UNITS } from "./course";
+import { lessonsWith } from "./find";
 import { clearDone, done } from "./frame/done";
 import { clearGuesses } from "./frame/guesses";
+import { Glance, Ways } from "./start";
+
+/** What is looked for; it is there again on the way back from a lesson. */
+const asked = signal("");
 
 /** The course: its units, the lessons of each, and how far one is. */
 export function Contents({ missing }: { missing: string | null }) {
   const marks = useValue(done);
+  const words = useValue(asked);
   const count = LESSONS.filter(({ id }) => marks.has(id)).length;
   const next = LESSONS.find(({ id }) => !marks.has(id));
   return (
@@ -49,27 +56,71 @@ export function Contents({ missing }: { missing: string | null }) {
             </>
           )}
         </p>
+        <label class={css["find"]}>
+          Find a lesson by a word
+          <input
+            type="search"
+            maxLength={60}
+            placeholder="fern, dimension, proof …"
+            value={words}
+            onInput={({ currentTarget }) => {
+              asked.value = currentTarget.value;
+            }}
+          />
+        </label>
       </header>
+      {words.trim() === "" ? <Units marks={marks} /> : <Found words={words} marks={marks} />}
+      <p class={css["papers"]}>
+        All of it comes from somewhere: <a href="#figures">the figures of four papers</a>, each as a page that
+        moves.
+      </p>
+    </div>
+  );
+}
+
+function Units({ marks }: { marks: ReadonlySet<string> }) {
+  return (
+    <>
+      <Ways />
+      <Glance marks={marks} />
       <ol class={css["units"]}>
         {UNITS.map(({ id, title, about, figures }) => (
           <li key={id}>
             <section aria-labelledby={id}>
-              <h2 id={id}>{title}</h2>
+              <h2 id={id} tabIndex={-1}>
+                {title}
+              </h2>
               <p class={frameCss["figure-lead"]}>{about}</p>
               <Cards figures={figures} also={(lesson) => <Facts lesson={lesson} marks={marks} />} />
             </section>
           </li>
         ))}
       </ol>
-      <p class={css["papers"]}>
-        For teachers: each lesson can be shown as slides and printed as a handout, and{" "}
-        <a href="#learn/class">a class sheet</a> gives a class one link to what you have chosen.
+    </>
+  );
+}
+
+/** The lessons in which the words are, as one row. */
+function Found({ words, marks }: { words: string; marks: ReadonlySet<string> }) {
+  const found = lessonsWith(words);
+  return (
+    <section aria-label="Lessons found">
+      <p role="status">
+        {found.length === 0
+          ? `No lesson says “${words.trim()}” of itself. Try another word, or the beginning of one.`
+          : `${found.length} ${found.length === 1 ? "lesson" : "lessons"} with “${words.trim()}”.`}
       </p>
-      <p class={css["papers"]}>
-        All of it comes from somewhere: <a href="#figures">the figures of four papers</a>, each as a page that
-        moves.
-      </p>
-    </div>
+      <Cards figures={found} also={(lesson) => <Facts lesson={lesson} marks={marks} />} />
+      <div>
+        <Button
+          onClick={() => {
+            asked.value = "";
+          }}
+        >
+          Show all lessons
+        </Button>
+      </div>
+    </section>
   );
 }
 

@@ -1,0 +1,28 @@
+import { expect, it } from "vitest";
+import { LESSONS } from "./course";
+import { lessonsWith } from "./find";
+
+const idsOf = (asked: string) => lessonsWith(asked).map(({ id }) => id);
+
+it("finds lessons by a word of their title, of their unit, or of what they are about", () => {
+  expect(idsOf("fern")).toEqual(expect.arrayContaining(["e13", "e15"]));
+  expect(idsOf("bending")).toEqual(["e11", "e22"]);
+  expect(idsOf("Lesson 1")).toContain("e12");
+});
+
+it("takes the beginning of a word, capital letters and marks as they come, and words in any order", () => {
+  expect(idsOf("SIERP")).toContain("e2");
+  expect(idsOf("möran")).toContain("e17");
+  expect(idsOf("set m")).toEqual(idsOf("M, set"));
+  expect(idsOf("set m").length).toBeGreaterThan(0);
+});
+
+it("finds nothing where a word stands nowhere, and all of nothing is nothing", () => {
+  expect(idsOf("fern zebra")).toEqual([]);
+  expect(idsOf("ern")).toEqual([]);
+  expect(idsOf("  ")).toEqual([]);
+});
+
+it("finds each lesson by its title", () => {
+  for (const { id, title } of LESSONS) expect(idsOf(title), title).toContain(id);
+});
