@@ -8,10 +8,11 @@ import layout from "../../kit/frame/layout.module.css";
 import { preset } from "../../kit/frame/studio-link";
 import { Fitted } from "../../kit/picture/fitted";
 import { Page } from "../../kit/state/kept";
-import { UNITS } from "../course";
+import { LESSONS } from "../course";
 import css from "./class.module.css";
 import { Handed } from "./handed";
 import { draft, keepDraft } from "./kept";
+import { Lessons } from "./lessons";
 import { itemsWithNames } from "./names";
 import { EMPTY, fits, itemsOf, linksIn, MOST, type Sheet, sheetAddress, sheetIn, sheetOfLink } from "./sheet";
 
@@ -61,12 +62,12 @@ function Make() {
     const chosen = sheet[part].includes(id) ? sheet[part].filter((one) => one !== id) : [...sheet[part], id];
     setSheet({ ...sheet, [part]: order.filter((one) => chosen.includes(one)) });
   };
-  const lessons = UNITS.flatMap(({ figures }) => figures.map(({ id }) => id));
+  const lessons = LESSONS.map(({ id }) => id);
   const shapes = presets().map(({ id }) => id);
   return (
     <section class={css["part"]} aria-labelledby="make">
       <h2 id="make">Make a sheet</h2>
-      <OpenSheet onOpen={open} onClear={itemsOf(whole).length > 0 ? () => open(EMPTY) : null} />
+      <OpenSheet onOpen={open} onClear={count > 0 ? () => open(EMPTY) : null} />
       <label class={css["field"]}>
         Its title
         <input
@@ -76,23 +77,7 @@ function Make() {
           onInput={({ currentTarget }) => setSheet({ ...sheet, title: currentTarget.value })}
         />
       </label>
-      <div class={css["units"]}>
-        {UNITS.map(({ id, title, figures }) => (
-          <fieldset key={id}>
-            <legend>{title}</legend>
-            {figures.map((lesson) => (
-              <label key={lesson.id} class={css["tick"]}>
-                <input
-                  type="checkbox"
-                  checked={sheet.lessons.includes(lesson.id)}
-                  onChange={() => toggle("lessons", lessons, lesson.id)}
-                />
-                {lesson.title}
-              </label>
-            ))}
-          </fieldset>
-        ))}
-      </div>
+      <Lessons chosen={sheet.lessons} onToggle={(id) => toggle("lessons", lessons, id)} />
       <details open={!folded} onToggle={({ currentTarget }) => setFolded(!currentTarget.open)}>
         <summary>Shapes of the gallery, and links of your own</summary>
         <div class={css["part"]}>
@@ -153,10 +138,23 @@ function Make() {
           This is more than one link can hold. Take some of it off, or write less.
         </p>
       ) : (
-        <Given address={addressOf(whole)} count={count} />
+        <>
+          <Given address={addressOf(whole)} count={count} />
+          <AtHand address={addressOf(whole)} words={sizeWords(whole)} />
+        </>
       )}
     </section>
   );
+}
+
+/** How much there is to do, and about how long its lessons take. */
+function sizeWords(sheet: Sheet): string {
+  const count = itemsOf(sheet).length;
+  const minutes = LESSONS.filter(({ id }) => sheet.lessons.includes(id)).reduce(
+    (sum, lesson) => sum + lesson.minutes,
+    0,
+  );
+  return `${count} ${count === 1 ? "thing" : "things"} to do${minutes > 0 ? `, ${minutes} minutes and the exercises` : ""}`;
 }
 
 /** Links of a sheet as one would have pasted them. */
@@ -168,44 +166,66 @@ function OpenSheet({ onOpen, onClear }: { onOpen: (sheet: Sheet) => void; onClea
   const [link, setLink] = useState("");
   const found = useMemo(() => sheetOfLink(link), [link]);
   return (
-    <div class={css["part"]}>
-      <label class={css["field"]}>
-        To change a sheet that you have made before, paste its link
-        <input type="text" value={link} onInput={({ currentTarget }) => setLink(currentTarget.value)} />
-      </label>
-      <div class={layout["buttons"]}>
-        {link !== "" && (
-          <Button
-            disabled={!found}
-            onClick={() => {
-              if (found) onOpen(found);
-              setLink("");
-            }}
-          >
-            Open this sheet
-          </Button>
-        )}
-        {onClear && (
-          <Button kind="quiet" icon="reset" onClick={onClear}>
-            Begin with an empty sheet
-          </Button>
-        )}
-        {link !== "" && !found && <p class={layout["hint"]}>This is no link of a class sheet.</p>}
+    <details>
+      <summary>Change a sheet that you have made before, or begin anew</summary>
+      <div class={css["part"]}>
+        <label class={css["field"]}>
+          To change a sheet that you have made before, paste its link
+          <input type="text" value={link} onInput={({ currentTarget }) => setLink(currentTarget.value)} />
+        </label>
+        <div class={layout["buttons"]}>
+          {link !== "" && (
+            <Button
+              disabled={!found}
+              onClick={() => {
+                if (found) onOpen(found);
+                setLink("");
+              }}
+            >
+              Open this sheet
+            </Button>
+          )}
+          {onClear && (
+            <Button kind="quiet" icon="reset" onClick={onClear}>
+              Begin with an empty sheet
+            </Button>
+          )}
+          {link !== "" && !found && <p class={layout["hint"]}>This is no link of a class sheet.</p>}
+        </div>
       </div>
-    </div>
+    </details>
   );
 }
 
 const addressOf = (sheet: Sheet) =>
   `${location.origin}${location.pathname}#learn/sheet/${sheetAddress(sheet)}`;
 
-function Given({ address, count }: { address: string; count: number }) {
+/** Copies the link, and says whether it did; what was said of another link is gone. */
+function useCopy(address: string): [copy: () => void, said: string] {
   const [told, setTold] = useState<{ of: string; words: string } | null>(null);
   const copy = () =>
-    navigator.clipboard.writeText(address).then(
+    void navigator.clipboard.writeText(address).then(
       () => setTold({ of: address, words: "Copied." }),
       () => setTold({ of: address, words: "Copying was not allowed here: choose the link, and copy it." }),
     );
+  return [copy, told?.of === address ? told.words : ""];
+}
+
+/** What is always in sight while a sheet is made: how much it is, and its link. */
+function AtHand({ address, words }: { address: string; words: string }) {
+  const [copy, said] = useCopy(address);
+  return (
+    <div class={css["at-hand"]}>
+      <span aria-live="polite">{said === "" ? words : said}</span>
+      <Button kind="primary" icon="copy" onClick={copy}>
+        Copy the link
+      </Button>
+    </div>
+  );
+}
+
+function Given({ address, count }: { address: string; count: number }) {
+  const [copy, said] = useCopy(address);
   return (
     <div class={css["given"]}>
       <div class={css["part"]}>
@@ -219,13 +239,13 @@ function Given({ address, count }: { address: string; count: number }) {
           />
         </label>
         <div class={layout["buttons"]}>
-          <Button kind="primary" icon="copy" onClick={() => void copy()}>
+          <Button kind="primary" icon="copy" onClick={copy}>
             Copy
           </Button>
           <a class="button" href={address}>
             See it as your class does
           </a>
-          <span role="status">{told?.of === address ? told.words : ""}</span>
+          <span role="status">{said}</span>
         </div>
       </div>
       <QrCode address={address} />
