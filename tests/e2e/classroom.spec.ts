@@ -54,6 +54,23 @@ test("a link leads to a slide, and says so where it was copied", async ({ page }
   await expect(bar).toHaveCount(0);
 });
 
+test("a slide is as large as it fits the window, and says when it goes on below", async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 720 });
+  const main = page.locator("main");
+  const hidden = () => main.evaluate((box) => box.scrollHeight - box.clientHeight);
+  const more = page.getByRole("button", { name: "More below" });
+  await page.goto("./#learn/e21/slide=4");
+  await expect(page.getByRole("toolbar", { name: "Slides" })).toContainText("4 of 5 Exercise 1");
+  await expect.poll(hidden).toBe(0);
+  await expect(more).toHaveCount(0);
+  await page.goto("./#learn/e12/guess=all&shown=1&slide=3");
+  await expect(page.getByTestId("truth")).toBeVisible();
+  await expect.poll(hidden).toBeGreaterThan(100);
+  await more.click();
+  await expect.poll(() => main.evaluate((box) => box.scrollTop)).toBeGreaterThan(100);
+  await expect(more).toHaveCount(0);
+});
+
 test("a handout asks and does not tell, and has its answers on a page of their own", async ({ page }) => {
   await openFigure(page, "e6");
   await page.getByText("A single point", { exact: true }).click();
@@ -65,6 +82,9 @@ test("a handout asks and does not tell, and has its answers on a page of their o
   await expect(page.getByRole("radio", { checked: true })).toHaveCount(0);
   await expect(page.getByRole("button", { name: "A hint" }).first()).toBeHidden();
   await expect(page.getByText("Solutions of the exercises")).toBeVisible();
+  // What asks for a slider has another exercise in its place.
+  await expect(page.getByText(/^Choose the turn/)).toBeHidden();
+  await expect(page.getByText(/^A letter is turned by some angle/)).toBeVisible();
   // Nothing is cut at the side, on either paper.
   for (const format of ["A4", "Letter"]) {
     const pdf = (await page.pdf({ format })).toString("latin1");

@@ -1,6 +1,6 @@
 import "./slides.css";
 import { signal } from "@preact/signals";
-import { useContext, useEffect, useState } from "preact/hooks";
+import { useContext, useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { Button, IconButton } from "#ui/controls/Button";
 import { listenForEscape } from "#ui/escape";
 import { focusOf } from "#ui/focus";
@@ -8,6 +8,7 @@ import { whole } from "../../kit/state/fields";
 import { Page, useNoted } from "../../kit/state/kept";
 import { stepsIn, toTop } from "../../kit/state/steps";
 import { useValue } from "../../kit/workers";
+import { useBelow, useFit } from "./slide-fit";
 import css from "./slides.module.css";
 
 /** The slide that is shown, from 0; null while the lesson is a page. */
@@ -59,6 +60,7 @@ function Shown({ at: asked }: { at: number }) {
   const [names, setNames] = useState<readonly string[]>([]);
   const [dot, setDot] = useState(false);
   const [full, setFull] = useState(document.fullscreenElement !== null);
+  const bar = useRef<HTMLDivElement>(null);
   const last = names.length - 1;
   // A link may say more slides than there are.
   const at = last < 0 ? asked : Math.min(asked, last);
@@ -79,7 +81,7 @@ function Shown({ at: asked }: { at: number }) {
       if (before instanceof HTMLElement) before.focus({ preventScroll: true });
     };
   }, []);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const all = steps();
     setNames(all.map(nameOf));
     for (const [i, step] of all.entries()) {
@@ -92,6 +94,9 @@ function Shown({ at: asked }: { at: number }) {
     here.focus({ preventScroll: true });
     here.closest("main")?.scrollTo({ top: 0 });
   }, [at]);
+
+  useFit(bar, at, names.length);
+  const [isMore, onward] = useBelow(bar, at);
 
   useEffect(() => listenForEscape(leave), []);
   useEffect(() => {
@@ -119,7 +124,12 @@ function Shown({ at: asked }: { at: number }) {
   }, [at, last]);
 
   return (
-    <div data-slides-bar="">
+    <div data-slides-bar="" ref={bar}>
+      {isMore && (
+        <Button class={css["onward"]} icon="down" onClick={onward}>
+          More below
+        </Button>
+      )}
       <div class={css["slides-bar"]} role="toolbar" aria-label="Slides">
         <Button icon="back" disabled={at === 0} onClick={() => go(-1)}>
           Back

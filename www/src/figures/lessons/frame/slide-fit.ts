@@ -1,0 +1,61 @@
+/** A slide as large as it fits the window; what is larger still is scrolled, and it is said that it goes on. */
+import type { RefObject } from "preact";
+import { useEffect, useLayoutEffect, useState } from "preact/hooks";
+
+/** How small a slide becomes to fit, as a part of its size: the last row must still read it. */
+const SIZES = [1, 0.92, 0.84, 0.76, 0.7] as const;
+/** Less than this is no more to be seen, in pixels. */
+const LITTLE = 12;
+
+const scroller = (from: Element | null) => from?.closest("main") ?? null;
+const hidden = (main: Element) => main.scrollHeight - main.clientHeight;
+
+/** Makes the slide that is shown as large as it fits: for each slide anew, and when the window changes. */
+export function useFit(bar: RefObject<Element | null>, at: number, count: number): void {
+  // biome-ignore lint/correctness/useExhaustiveDependencies: each slide has a size of its own
+  useLayoutEffect(() => {
+    const root = document.documentElement;
+    const adjust = () => {
+      const main = scroller(bar.current);
+      if (!main) return;
+      for (const size of SIZES) {
+        root.style.setProperty("--slide-size", String(size));
+        if (hidden(main) <= 0) return;
+      }
+    };
+    adjust();
+    // Charts have their size a moment later.
+    const frame = requestAnimationFrame(adjust);
+    addEventListener("resize", adjust);
+    return () => {
+      cancelAnimationFrame(frame);
+      removeEventListener("resize", adjust);
+      root.style.removeProperty("--slide-size");
+    };
+  }, [bar, at, count]);
+}
+
+/** Whether the slide goes on below what is seen, and the way there. */
+export function useBelow(bar: RefObject<Element | null>, at: number): [isMore: boolean, onward: () => void] {
+  const [isMore, setMore] = useState(false);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another slide begins at its top
+  useEffect(() => {
+    const main = scroller(bar.current);
+    const article = bar.current?.closest("article");
+    if (!main || !article) return;
+    const look = () => setMore(hidden(main) - main.scrollTop > LITTLE);
+    const grown = new ResizeObserver(look);
+    grown.observe(article);
+    main.addEventListener("scroll", look, { passive: true });
+    look();
+    return () => {
+      grown.disconnect();
+      main.removeEventListener("scroll", look);
+    };
+  }, [bar, at]);
+  const onward = () => {
+    const main = scroller(bar.current);
+    main?.scrollBy({ top: 0.7 * main.clientHeight });
+  };
+  return [isMore, onward];
+}
