@@ -10,9 +10,8 @@ import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip, Why } from "../../kit/frame/verdict";
 import { gasket, HEIGHT, unevenGasket } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
-import { Drawn, Span } from "../../kit/picture/annotated";
+import { Drawn, middles, PieceNames, Span } from "../../kit/picture/annotated";
 import annotatedCss from "../../kit/picture/annotated.module.css";
-import { Picture } from "../../kit/picture/picture";
 import { number } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { useVerdict } from "../../kit/workers";
@@ -104,7 +103,12 @@ function Meeting() {
           >
             {(place) => {
               const [x, y] = place([MEET, 0]);
-              return <circle class={annotatedCss["lens"]} cx={x} cy={y} r={9} />;
+              return (
+                <>
+                  <PieceNames at={middles(maps, WHOLE).map(place)} />
+                  <circle class={annotatedCss["lens"]} cx={x} cy={y} r={9} />
+                </>
+              );
             }}
           </Drawn>
         </Panel>
@@ -166,11 +170,13 @@ function Parting({ prediction, r }: PartingProps) {
     <Question
       prediction={prediction}
       beside={
-        <Picture
+        <Drawn
           maps={maps}
           box={WHOLE}
           label={`A triangle of three unlike pieces: piece 1 at the lower left has scale ${fixed(r, 3)}.`}
-        />
+        >
+          {(place) => <PieceNames at={middles(maps, WHOLE).map(place)} />}
+        </Drawn>
       }
       answer={
         <Truth

@@ -5,7 +5,7 @@ import { frond } from "#wasm/core";
 import { Choice } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
 import { boxAround } from "../../kit/maps/morphs";
-import { Drawn } from "../../kit/picture/annotated";
+import { Drawn, middles, PieceNames } from "../../kit/picture/annotated";
 import { oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
@@ -94,7 +94,9 @@ function Tried({ number, ask, hints, asked, other, found }: TriedProps) {
       status={`${way} ${asked(pairing) ? "" : other}`}
     >
       <div class={`${layout["two-columns"]} ${layout["even"]}`}>
-        <Drawn maps={between} box={box} label={`Half-way by the pairing ${matchingWords(pairing)}.`} />
+        <Drawn maps={between} box={box} label={`Half-way by the pairing ${matchingWords(pairing)}.`}>
+          {(place) => <PieceNames at={middles(between, box).map(place)} />}
+        </Drawn>
         <div class={lessonCss["ask"]}>
           <Choice
             label="1, 2, 3 become"
