@@ -60,7 +60,7 @@ function Read({ number, kept, ask, hints }: ReadProps) {
         said === ""
           ? "No letter yet."
           : solved
-            ? `${CODE} takes the pull of ${turned(CODE, kept)}, which is ${kept === 0 ? "next to the middle of the long side" : "in piece 1 as well"}.`
+            ? `${CODE} takes the pull of ${turned(CODE, kept)}, which is ${kept === 0 ? "in piece 23, next to the middle of the long side" : "in piece 1 as well"}.`
             : said.length < CODE.length
               ? `${said} …`
               : wrong

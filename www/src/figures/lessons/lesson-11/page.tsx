@@ -112,9 +112,9 @@ function What({ prediction }: { prediction: Prediction<Guess> }) {
           <p>
             With 1 at the lower left, 2 at the right and 3 on top, the parts next to the middle of a long side
             are 23 and 32. A small part next to the middle of a small triangle has a code that ends so: 1123,
-            say. Read the other way round it is 3211, which lies next to the middle of the whole. So it takes
-            the pull from there, and so it is in every triangle of every size. Nothing comes apart, because
-            the corners that triangles share are given one pull for both.
+            say. Read the other way round it is 3211, a part of 32, and that lies next to the middle of the
+            whole. So it takes the pull from there, and so it is in every triangle of every size. Nothing
+            comes apart, because the corners that triangles share are given one pull for both.
           </p>
         </Truth>
       }

@@ -19,7 +19,7 @@ export const TEACHING: Teaching = {
     {
       ask: "The fern’s large map turns a little. The fern is turned by a quarter in the plane. Does the matrix of that map change?",
       answer:
-        "Yes, if it does not shrink alike in all directions; a matrix that only turns and shrinks stays, as turns of the plane change places.",
+        "No: it only turns and shrinks alike in all directions, and turns of the plane change places with each other. Those of the leaves do change, since they shrink more in one direction.",
     },
   ],
   answer:

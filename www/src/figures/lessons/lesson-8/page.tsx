@@ -215,7 +215,7 @@ function Where({ prediction, s, onS }: WhereProps) {
               The light part is M, as far as a ten-thousandth of each shape tells; the darker, the wider the
               gap. It is the same on all four sides: turn the sign of the angle, and the shape is mirrored;
               turn the sign of s, and it stays as it is. Two spikes run inward along the real line to ½ and
-              −½, and the edge between the two circles is ragged however closely one looks.
+              −½, and the edge between the two circles is ragged, as closely as anybody has looked.
             </p>
           </Truth>
         )

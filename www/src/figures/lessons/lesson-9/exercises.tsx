@@ -70,7 +70,7 @@ function Close() {
       number={2}
       ask="Close the gap with one number: change the scale of one piece only, and by as little as you can."
       hints={[
-        "Piece 2 alone is not enough: it touches piece 1 soon, and then piece 3 still stands alone. Which pieces can the other two reach?",
+        "Piece 2 touches piece 1 soon, and then piece 3 still stands alone: it would have to grow by 0.30 to reach that one, too. Which pieces can the others reach?",
         "Piece 1 reaches piece 2 at once and piece 3 at scale 0.72. How much would piece 3 have to grow?",
       ]}
       solved={solved}
