@@ -101,6 +101,51 @@ describe("Pyramid", () => {
     expect(pyramid.missing(near, 16).coarse.length).toBeGreaterThan(0);
   });
 
+  it("shows samples of finer tiles where one has looked nearer, and judges them as coarsely as all", () => {
+    const pyramid = new Pyramid(morph);
+    // Gaps of 10 and more: no coarse sample is within epsilon, but for those that are put there.
+    work(pyramid, view(4, 0.4, 0.6), true);
+    const field = pyramid.read(windowOf(view(2, 0.4, 0.6)), 2);
+    const { width, height, bounds, state, gap } = field;
+    const near = windowOf(view(4, 0.4, 0.6));
+    let seen = 0;
+    for (let k = 0; k < width * height; k++) {
+      const u = bounds.u0 + ((bounds.u1 - bounds.u0) * (k % width)) / (width - 1);
+      const v = bounds.v0 + ((bounds.v1 - bounds.v0) * Math.floor(k / width)) / (height - 1);
+      if (u < near.u0 || u > near.u1 || v < near.v0 || v > near.v1) continue;
+      seen++;
+      expect(state[k]).toBe(STATE.disconnected);
+      expect(gap[k]).toBeCloseTo(10 + u, 4);
+    }
+    expect(seen).toBeGreaterThan((0.24 * width * height) | 0);
+    const narrow = epsilonOf(2) * 1.5;
+    const id = { level: 2, i: 7, j: 7 };
+    const { width: side, height: rows } = pyramid.place(id);
+    const fill = { state: new Uint8Array(side * rows).fill(STATE.disconnected), width: side };
+    pyramid.put(id, "fine", { ...fill, gap: new Float32Array(side * rows).fill(narrow) });
+    const at = pyramid.boundsOf(2, { x0: 7 * TILE, y0: 7 * TILE, x1: 7 * TILE, y1: 7 * TILE });
+    expect(pyramid.read({ ...at }, 4).state[0]).toBe(STATE.disconnected);
+    expect(pyramid.read({ ...at }, 2).state[0]).toBe(STATE.hidden);
+  });
+
+  it("keeps what is looked at, however much is looked at elsewhere", () => {
+    const pyramid = new Pyramid(morph);
+    const here = view(2);
+    work(pyramid, here, true);
+    const put = (k: number) => {
+      const id = { level: 12, i: k % 60, j: Math.floor(k / 60) };
+      const samples = { width: TILE, state: new Uint8Array(TILE * TILE), gap: new Float32Array(TILE * TILE) };
+      pyramid.put(id, "fine", samples);
+    };
+    for (let k = 0; k < 2500; k++) {
+      put(k);
+      if (k % 500 === 0) expect(pyramid.missing(windowOf(here), 2).fine).toEqual([]);
+    }
+    expect(pyramid.missing(windowOf(here), 2).fine).toEqual([]);
+    for (let k = 0; k < 2500; k++) put(k);
+    expect(pyramid.missing(windowOf(here), 2).fine.length).toBeGreaterThan(0);
+  });
+
   it("takes level 0 from where it is kept, and is content with it", () => {
     const size = samplesAt(0);
     const base = {

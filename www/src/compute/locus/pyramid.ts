@@ -1,15 +1,17 @@
 /** Samples of a plane of parameters at every fineness that was looked at, in tiles. */
 
-import { STATE } from "#geometry/states";
+import { atAll, atResolution, STATE } from "#geometry/states";
 import type { Bounds, Locus } from "#wasm/api";
 import type { LocusInputs } from "./job";
-import { CELLS, epsilonOf, type Family, homeOf, levelOf, parameterAt, samplesAt } from "./window";
+import { CELLS, DEEPEST, epsilonOf, type Family, homeOf, levelOf, parameterAt, samplesAt } from "./window";
 
 /** Samples along a side of a tile; of the coarse picture of one, every fourth. */
 export const TILE = 64;
 export const STEP = 4;
-/** Tiles kept: some 20 kB each. */
-const MOST_TILES = 768;
+/** Tiles kept, some 20 kB each: twice what the largest map shows at once. */
+const MOST_TILES = 2048;
+/** So many times as fine, samples are at hand where one has looked nearer: every second of each is one of these. */
+const FINER = 2;
 /** Coarser tiles that are looked through for something to show; what is coarser yet shows nothing that is of use. */
 const FARTHEST = 10;
 
@@ -30,12 +32,20 @@ interface Tile extends TileId {
   /** Every fourth sample both ways, from the first. */
   coarse: Samples | null;
   fine: Samples | null;
+  /** Parts of it that proofs were looked for, by their number. */
+  tried: Set<number>;
 }
 
 interface Samples {
   width: number;
   state: Uint8Array;
   gap: Float32Array;
+}
+
+/** A rectangle of the samples of a tile, and its number among those. */
+export interface Part extends Span {
+  id: TileId;
+  n: number;
 }
 
 /** Samples over a window, as finely as they are known. */
@@ -46,7 +56,7 @@ export interface Field extends Locus {
   epsilon: number;
 }
 
-/** A rectangle of samples of a level, ends included. */
+/** A rectangle of samples. */
 export interface Span {
   x0: number;
   y0: number;
@@ -89,7 +99,7 @@ export class Pyramid {
     this.#previous = null;
   }
 
-  /** The samples that a window needs. */
+  /** The samples that a window needs, ends included. */
   span(window: Bounds, level: number): Span {
     const home = homeOf(this.family);
     const last = samplesAt(level) - 1;
@@ -103,10 +113,8 @@ export class Pyramid {
     };
   }
 
-  /** Tiles of a window that are not there yet, the nearest to its middle first. */
-  missing(window: Bounds, zoom: number): { coarse: TileId[]; fine: TileId[]; count: number } {
-    const level = levelOf(zoom);
-    if (level === 0 && this.based) return { coarse: [], fine: [], count: 0 };
+  /** The places of a window's tiles, the nearest to its middle first. */
+  #within(window: Bounds, level: number): TileId[] {
     const { x0, y0, x1, y1 } = this.span(window, level);
     const at = (k: number) => Math.floor(k / TILE);
     const [cx, cy] = [(x0 + x1) / 2, (y0 + y1) / 2];
@@ -117,8 +125,17 @@ export class Pyramid {
         all.push({ id: { level, i, j }, far });
       }
     }
-    all.sort((p, q) => p.far - q.far);
-    const fine = all.map(({ id }) => id).filter((id) => !this.#tiles.get(keyOf(id))?.fine);
+    return all.sort((p, q) => p.far - q.far).map(({ id }) => id);
+  }
+
+  /** Tiles of a window that are not there yet, the nearest to its middle first. */
+  missing(window: Bounds, zoom: number): { coarse: TileId[]; fine: TileId[]; count: number } {
+    const level = levelOf(zoom);
+    if (level === 0 && this.based) return { coarse: [], fine: [], count: 0 };
+    const all = this.#within(window, level);
+    // What is looked at is what is kept longest, its middle longest of all.
+    for (const id of all.toReversed()) this.#touch(keyOf(id));
+    const fine = all.filter((id) => !this.#tiles.get(keyOf(id))?.fine);
     const coarse = fine.filter((id) => !this.#tiles.get(keyOf(id))?.coarse && !this.#seen(id));
     return { coarse, fine, count: all.length };
   }
@@ -140,7 +157,7 @@ export class Pyramid {
     return { x0, y0, width: Math.min(TILE, all - x0), height: Math.min(TILE, all - y0) };
   }
 
-  /** The bounds of samples `x0` .. and `y0` .. of a level. */
+  /** The bounds of samples `x0` to `x1` and `y0` to `y1` of a level, ends included. */
   boundsOf(level: number, { x0, y0, x1, y1 }: Span): Bounds {
     const { u0, v0, u1, v1 } = homeOf(this.family);
     return {
@@ -151,18 +168,66 @@ export class Pyramid {
     };
   }
 
+  /** Parts of the tiles of a window, so many samples a side, that hold as far as is seen and were not tried in vain. */
+  unproved(window: Bounds, zoom: number, side: number): Part[] {
+    const found: Part[] = [];
+    for (const id of this.#within(window, levelOf(zoom))) {
+      const tile = this.#tiles.get(keyOf(id));
+      if (!tile?.fine) continue;
+      for (let y0 = 0, n = 0; y0 < tile.height; y0 += side) {
+        for (let x0 = 0; x0 < tile.width; x0 += side, n++) {
+          const [x1, y1] = [Math.min(tile.width, x0 + side), Math.min(tile.height, y0 + side)];
+          const part = { id, n, x0, y0, x1, y1 };
+          if (!tile.tried.has(n) && this.statesOf(part).includes(STATE.touching)) found.push(part);
+        }
+      }
+    }
+    return found;
+  }
+
+  /** The states of a part of a tile, row by row. */
+  statesOf({ id, x0, y0, x1, y1 }: Part): Uint8Array {
+    const found = new Uint8Array((x1 - x0) * (y1 - y0));
+    const fine = this.#tiles.get(keyOf(id))?.fine;
+    for (let y = y0, k = 0; fine && y < y1; y++, k += x1 - x0)
+      found.set(fine.state.subarray(y * fine.width + x0, y * fine.width + x1), k);
+    return found;
+  }
+
+  /** The same, some of which are proved since. */
+  prove({ id, n, x0, y0, x1, y1 }: Part, states: Uint8Array): void {
+    const tile = this.#tiles.get(keyOf(id));
+    const fine = tile?.fine;
+    if (!fine) return;
+    tile.tried.add(n);
+    for (let y = y0, k = 0; y < y1; y++) {
+      for (let x = x0; x < x1; x++, k++) {
+        const at = y * fine.width + x;
+        if (states[k] === STATE.connected && fine.state[at] === STATE.touching)
+          fine.state[at] = STATE.connected;
+      }
+    }
+  }
+
   put(id: TileId, what: "coarse" | "fine", samples: Samples): void {
     const key = keyOf(id);
     const { width, height } = this.place(id);
-    const tile = this.#tiles.get(key) ?? { ...id, width, height, coarse: null, fine: null };
+    const tile = this.#tiles.get(key) ?? { ...id, width, height, coarse: null, fine: null, tried: new Set() };
     tile[what] = samples;
-    // The newest last: the first of the map is the one to go.
-    this.#tiles.delete(key);
     this.#tiles.set(key, tile);
+    this.#touch(key);
     for (const oldest of this.#tiles.keys()) {
       if (this.#tiles.size <= MOST_TILES) break;
       this.#tiles.delete(oldest);
     }
+  }
+
+  /** What was used last stands last: the first of the map is the one to go. */
+  #touch(key: string): void {
+    const tile = this.#tiles.get(key);
+    if (!tile) return;
+    this.#tiles.delete(key);
+    this.#tiles.set(key, tile);
   }
 
   /** What is known of a window, at the fineness of its zoom: coarser samples stand in for those that are missing. */
@@ -184,22 +249,46 @@ export class Pyramid {
       for (let i = at(span.x0); i <= at(span.x1); i++) {
         const id = { level, i, j };
         const before = this.#previous ?? this;
-        if (this.#copy(id, span, field) || before.#copy(id, span, field)) continue;
-        const base = this.based && level <= FARTHEST ? this.#base() : null;
-        if (!base) continue;
-        const whole = {
-          level: 0,
-          i: 0,
-          j: 0,
-          width: base.width,
-          height: base.height,
-          coarse: null,
-          fine: base,
-        };
-        this.#lay(id, span, field, whole, 2 ** level);
+        if (!this.#copy(id, span, field) && !before.#copy(id, span, field)) this.#layBase(id, span, field);
+        if (!this.#tiles.get(keyOf(id))?.fine) this.#layFiner(id, span, field);
       }
     }
     return field;
+  }
+
+  #layBase(id: TileId, span: Span, field: Field): void {
+    const base = this.based && id.level <= FARTHEST ? this.#base() : null;
+    if (!base) return;
+    const { width, height } = base;
+    const whole: Tile = { level: 0, i: 0, j: 0, width, height, coarse: null, fine: base, tried: new Set() };
+    this.#lay(id, span, field, whole, 2 ** id.level);
+  }
+
+  /** The samples of a place that are known since they are among those of finer tiles. */
+  #layFiner({ level, i, j }: TileId, span: Span, field: Field): void {
+    for (let k = Math.min(FINER, DEEPEST - level); k > 0; k--) {
+      const step = 2 ** k;
+      const side = TILE / step;
+      for (let down = 0; down < step; down++) {
+        for (let across = 0; across < step; across++) {
+          const tile = this.#tiles.get(keyOf({ level: level + k, i: i * step + across, j: j * step + down }));
+          if (!tile?.fine) continue;
+          const { fine } = tile;
+          const [left, bottom] = [i * TILE + across * side, j * TILE + down * side];
+          for (let y = Math.max(0, span.y0 - bottom); y * step < tile.height; y++) {
+            if (y >= side || bottom + y > span.y1) break;
+            for (let x = Math.max(0, span.x0 - left); x * step < tile.width; x++) {
+              if (x >= side || left + x > span.x1) break;
+              const from = y * step * fine.width + x * step;
+              const to = (bottom + y - span.y0) * field.width + left + x - span.x0;
+              const gap = fine.gap[from] ?? Number.NaN;
+              field.state[to] = atResolution(atAll(fine.state[from] ?? STATE.pending), gap, field.epsilon);
+              field.gap[to] = gap;
+            }
+          }
+        }
+      }
+    }
   }
 
   /** Copies the best tile that is known of a place into a field. */

@@ -3,7 +3,7 @@ import { computed, effect, type ReadonlySignal, untracked } from "@preact/signal
 import { locusView } from "#document/morph";
 import { wordsOf } from "#document/notice";
 import type { FrondError, LocusView } from "#wasm/api";
-import { cancel, epoch, submit } from "#workers/pool/engine";
+import { cancel, epoch, submit, workers } from "#workers/pool/engine";
 import { inputs as morph } from "../inputs";
 import { publish } from "../results";
 import { detail } from "./detail";
@@ -15,6 +15,9 @@ import { WindowWork } from "./window-job";
 
 /** While something is dragged, a coarse picture that is nearly done is let finish, so that there is one to see. */
 const GRACE_MS = 150;
+/** After so long at rest what only seems to hold is proved, and that is painted once in so long. */
+const REST_MS = 400;
+const PROOFS_MS = 250;
 
 const family = computed(() => locusView.value.family);
 const sides = computed(() => locusView.value.sides);
@@ -38,6 +41,7 @@ let work: WindowWork | null = null;
 let live = false;
 let failed = false;
 let waiting: ReturnType<typeof setTimeout> | null = null;
+let resting: ReturnType<typeof setTimeout> | undefined;
 const soon = new Soon(paint);
 
 export function scheduleWindow(): void {
@@ -77,6 +81,7 @@ function start(next: LocusSource): void {
   const before = pyramid?.family === next.family ? pyramid : null;
   pyramid = new Pyramid(next, based ? () => publish.locus.peek() : null, before);
   cancel("window");
+  cancel("window-proofs");
   live = false;
   failed = false;
   const mine = pyramid;
@@ -103,7 +108,9 @@ function start(next: LocusSource): void {
 }
 
 function look(view: LocusView): void {
+  clearTimeout(resting);
   if (!work || failed || viewProblem(view)) return;
+  cancel("window-proofs");
   if (work.want(clampedView(view), detail.peek()) && !live) {
     live = true;
     const job = work.job();
@@ -119,7 +126,23 @@ function look(view: LocusView): void {
     });
   }
   if (work.seen) pyramid?.forget();
+  if (!live && !homeIsSeen.peek()) resting = setTimeout(() => prove(view), REST_MS);
   paint();
+}
+
+/** Proves what only seems to hold in a window that is known, when it has been looked at for a while. */
+async function prove(view: LocusView): Promise<void> {
+  const mine = work;
+  const { WindowProofs } = await import("./window-proofs");
+  // Without workers the page would have to do it, while it is used.
+  if (!mine || mine !== work || view !== locusView.peek() || live || workers.peek().count === 0) return;
+  let painted = performance.now();
+  const proofs = new WindowProofs(mine, clampedView(view), detail.peek(), () => {
+    if (mine !== work || (!proofs.done && performance.now() - painted < PROOFS_MS)) return;
+    painted = performance.now();
+    paint();
+  });
+  submit(proofs.job());
 }
 
 function fail(error: FrondError): void {

@@ -126,8 +126,17 @@ export class WindowWork {
     return task;
   }
 
+  /** What a worker is told of a tile: a grid, and where on it the tile begins. */
+  gridOf(id: TileId): Pick<Task<"patch">, "key" | "of" | "x0" | "y0"> {
+    const { x0, y0, width, height } = this.pyramid.place(id);
+    if (id.level <= WHOLE_LEVELS) return { ...this.#patchOfWhole(id), x0, y0 };
+    const span = { x0, y0, x1: x0 + width - 1, y1: y0 + height - 1 };
+    const of = this.#of(this.pyramid.boundsOf(id.level, span), width, height, id.level);
+    return { key: nextKey(), of, x0: 0, y0: 0 };
+  }
+
   /** One grid over all: its samples fall on 0 and 1 exactly, and the worker prepares it once. */
-  #patchOfWhole(id: TileId): Task<Kinds> {
+  #patchOfWhole(id: TileId): Task<"patch"> {
     const size = samplesAt(id.level);
     const key = this.#levelKeys.get(id.level) ?? nextKey();
     this.#levelKeys.set(id.level, key);

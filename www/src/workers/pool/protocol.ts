@@ -186,6 +186,7 @@ export type Channel =
   | "hover"
   | "card"
   | "window"
+  | "window-proofs"
   | "scale"
   | `figure:${string}`;
 
