@@ -1,8 +1,10 @@
-//! What a fit is compared with: other ways to spend as many numbers on an outline.
+//! What a fit is compared with: other ways to spend as many numbers, or bytes, on an outline.
 
 mod bezier;
+mod coded;
 
 pub use bezier::{bezier, bezier_segments};
+pub use coded::{bezier_within, fourier_within, polyline_within};
 
 use std::f64::consts::TAU;
 

@@ -21,6 +21,7 @@
 //! - [`Tracer`] finds the leaf in a picture and the line round it, [`read_file`] outlines and series in drawings and
 //!   tables.
 //! - [`split_polyline`], [`least_squares_polyline`], [`bezier`] and [`fourier`] spend as many numbers in other ways;
+//!   [`polyline_within`], [`bezier_within`] and [`fourier_within`] as many bytes;
 //!   [`maple_leaf`], [`oak_leaf`] and [`island`] grow outlines to try all this on; [`curve_presets`] are fits of them.
 //!
 //! # In which order to read it
@@ -66,7 +67,10 @@ mod segment;
 mod series;
 mod spline;
 
-pub use baseline::{bezier, bezier_segments, fourier, least_squares_polyline, split_polyline};
+pub use baseline::{
+    bezier, bezier_segments, bezier_within, fourier, fourier_within, least_squares_polyline, polyline_within,
+    split_polyline,
+};
 pub use closed::{
     ArcCopy, CONTRACTION, ClosedCurve, CopyFacts, CurveFault, MAX_KNOTS, MAX_SPAN, MAX_TEXT, PackError,
 };

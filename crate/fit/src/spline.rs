@@ -10,11 +10,13 @@ mod law;
 mod pack;
 mod path;
 mod room;
+mod text;
 mod window;
 
 pub use fitter::{LEAST_BYTES, MOST_BYTES, SplineFit, SplineFitter, fit_within};
 pub use law::StepLaw;
 pub use pack::SplineError;
+pub(crate) use pack::kept_grid;
 
 use glam::DVec2;
 

@@ -51,6 +51,25 @@ impl From<&Curve> for ClosedCurve {
     }
 }
 
+impl Curve {
+    /// The curve of a fit as it is taken into a morph: about the origin, its longer side 2, and as a link keeps it.
+    ///
+    /// # Errors
+    /// As [`ClosedCurve::quantised`].
+    pub fn taken(&self) -> Result<Self, PackError> {
+        let along = |axis: usize| {
+            let all = || self.knots.iter().map(|knot| knot[axis]);
+            (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max))
+        };
+        let ((x0, x1), (y0, y1)) = (along(0), along(1));
+        let (x, y) = ((x0 + x1) / 2.0, (y0 + y1) / 2.0);
+        let scale = 2.0 / (x1 - x0).max(y1 - y0).max(1e-12);
+        let knots = self.knots.iter().map(|&[a, b]| [(a - x) * scale, (b - y) * scale]).collect();
+        let moved = Self { knots, edges: self.edges.clone() };
+        Ok(Self::from(&ClosedCurve::from(&moved).quantised()?))
+    }
+}
+
 /// One end of a morph between closed curves.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct CurveShape {

@@ -1,6 +1,6 @@
 //! What a document says of fitting.
 
-use frond_fit::{FractalFunction, FunctionError};
+use frond_fit::{FractalFunction, FunctionError, LEAST_BYTES, MOST_BYTES, Spline, SplineError};
 use serde::{Deserialize, Serialize};
 
 use crate::curve::CurveShape;
@@ -9,6 +9,11 @@ use crate::curve::CurveShape;
 pub const MAX_PIECES: usize = 256;
 /// How many numbers a fit may spend.
 pub const NUMBERS: std::ops::RangeInclusive<u32> = 12..=2000;
+
+/// How many bytes a spline may take.
+pub const BYTES: std::ops::RangeInclusive<u32> = LEAST_BYTES as u32..=MOST_BYTES as u32;
+/// How many it may take where a document says nothing.
+pub const USUAL_BYTES: u32 = 150;
 
 /// What is fitted.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
@@ -30,6 +35,8 @@ pub enum FitModel {
     Closed,
     /// The fit of Cochran, Hart & Flynn.
     Collage,
+    /// Corners and parabolas, within so many bytes.
+    Spline,
 }
 
 /// What a graph is made of.
@@ -74,6 +81,35 @@ impl Graph {
     }
 }
 
+/// A curve of corners and parabolas.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct SplineShape {
+    /// Its name.
+    pub name: String,
+    /// It packed, in letters: [`Spline::to_text`].
+    pub word: String,
+}
+
+impl SplineShape {
+    /// The curve.
+    ///
+    /// # Errors
+    /// Where the word is none.
+    pub fn spline(&self) -> Result<Spline, SplineError> {
+        Spline::from_text(&self.word)
+    }
+}
+
+const fn usual_bytes() -> u32 {
+    USUAL_BYTES
+}
+
+// Serde hands it over so.
+#[allow(clippy::trivially_copy_pass_by_ref)]
+const fn is_usual(bytes: &u32) -> bool {
+    *bytes == USUAL_BYTES
+}
+
 /// How an outline or a graph was fitted last. What was fitted is not part of a document.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Fit {
@@ -83,11 +119,17 @@ pub struct Fit {
     pub model: FitModel,
     /// How many numbers the closed curve may spend: within [`NUMBERS`].
     pub numbers: u32,
+    /// How many bytes a spline may take: within [`BYTES`].
+    #[serde(default = "usual_bytes", skip_serializing_if = "is_usual")]
+    pub bytes: u32,
     /// How much an outline is smoothed first: 0 to 1.
     pub smoothing: f64,
-    /// The last fit.
+    /// The last fit by a closed curve.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curve: Option<CurveShape>,
+    /// The last fit by a spline.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spline: Option<SplineShape>,
     /// The last graph.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub graph: Option<Graph>,
@@ -99,8 +141,10 @@ impl Default for Fit {
             mode: FitMode::Outline,
             model: FitModel::Closed,
             numbers: 260,
+            bytes: USUAL_BYTES,
             smoothing: 0.0,
             curve: None,
+            spline: None,
             graph: None,
         }
     }

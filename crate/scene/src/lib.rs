@@ -25,7 +25,10 @@ mod space;
 pub use curve::{Curve, CurveEdge, CurveShape, Curves};
 pub use deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
 pub use directed::{Directed, DirectedCopy, DirectedPreset, DirectedShape, directed_presets};
-pub use fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS};
+pub use fit::{
+    BYTES, Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS, SplineShape,
+    USUAL_BYTES,
+};
 pub use link::{LinkError, MAX_LINK, VERSION, decode, decode_morph, encode};
 pub use preset::{Preset, Row, preset, presets};
 pub use scene::{

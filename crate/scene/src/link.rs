@@ -116,7 +116,7 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
         write_deform(&mut link, deform);
     }
     if let Some(curves) = &scene.curves {
-        write_curves(&mut link, curves)?;
+        write_curves(&mut link, curves, scene.fit.as_ref())?;
     }
     if let Some(directed) = &scene.directed {
         write_directed(&mut link, directed);
@@ -184,9 +184,9 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
     }
     scene.locus = read_locus(&get)?;
     scene.deform = read_deform(&get)?;
-    scene.curves = read_curves(&get)?;
-    scene.directed = read_directed(&get, scene.curves.is_some())?;
     scene.fit = read_fit(&get)?;
+    scene.curves = read_curves(&get, scene.fit.as_ref())?;
+    scene.directed = read_directed(&get, scene.curves.is_some())?;
     scene.space = read_space(&get)?;
     Ok((scene, later))
 }

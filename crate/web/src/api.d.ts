@@ -457,15 +457,25 @@ export interface PlaneGraph {
 /** What a document says of fitting. The outline, or the photograph it was taken from, is not part of it. */
 export interface Fit {
   mode: "outline" | "graph";
-  /** Frond's closed curve, or the fit of Cochran, Hart & Flynn. */
-  model: "closed" | "collage";
+  /** Frond's closed curve, the fit of Cochran, Hart & Flynn, or corners and parabolas within so many bytes. */
+  model: "closed" | "collage" | "spline";
   /** How many numbers the closed curve may spend: 12 to 2000. */
   numbers: number;
+  /** How many bytes corners and parabolas may take: 32 to 4000; absent: 150. */
+  bytes?: number;
   /** How much an outline is smoothed before it is fitted: 0 to 1. */
   smoothing: number;
-  /** The last fit. */
+  /** The last fit by a closed curve. */
   curve?: CurveShape;
+  /** The last fit by corners and parabolas. */
+  spline?: SplineShape;
   graph?: Graph;
+}
+
+/** A curve of corners and parabolas: `unpackSpline` reads its word, which is its bytes in letters. */
+export interface SplineShape {
+  name: string;
+  word: string;
 }
 
 /**

@@ -6,5 +6,6 @@ mod graph;
 mod morph;
 mod plane_graph;
 mod read;
+mod spline;
 
-pub use {closed_curve::*, file::*, graph::*, morph::*, plane_graph::*};
+pub use {closed_curve::*, file::*, graph::*, morph::*, plane_graph::*, spline::*};

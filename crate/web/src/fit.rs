@@ -6,9 +6,11 @@ mod hough;
 mod once;
 mod outline;
 mod trace;
+mod within;
 
 pub use collage::*;
 pub use curve::*;
 pub use hough::*;
 pub use once::*;
 pub use trace::*;
+pub use within::*;

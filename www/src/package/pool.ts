@@ -115,7 +115,7 @@ export function poolOf(spawn: () => WorkerLike<null>, size: number) {
     const args = all.slice(0, count);
     const how = (all[count] ?? {}) as How;
     if (name === "locus") return locus(args as [unknown, unknown, LocusOptions], how);
-    const parts = name === "planPath" || name === "fitCurve" || name === "rasterize3";
+    const parts = name === "planPath" || name === "fitCurve" || name === "fitWithin" || name === "rasterize3";
     const result = await (parts ? ask(name, args, how) : ask("call", { source, name, args }, how));
     how.onProgress?.(1);
     return result;

@@ -80,6 +80,20 @@ const tasks = {
       fit.free();
     }
   },
+  async fitWithin({ sources, breathe, progress }: Hand, args: unknown[]) {
+    const { SplineFit } = (await sources.fit()) as Fit;
+    const fit = new SplineFit(...(args as ConstructorParameters<Fit["SplineFit"]>));
+    try {
+      for (;;) {
+        const { share, done } = fit.step(PART_MS);
+        if (done) return fit.measured();
+        progress(share);
+        await breathe();
+      }
+    } finally {
+      fit.free();
+    }
+  },
   /** A complete picture of space. */
   async rasterize3({ sources, breathe, transfer }: Hand, [picture]: [Picture3]) {
     const { SpacePicture } = (await sources.space()) as Space;

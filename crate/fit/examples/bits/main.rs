@@ -9,7 +9,10 @@
 mod copies;
 mod rivals;
 
-use frond_fit::{Outline, crossings, fidelity, fit_within, island, maple_leaf, oak_leaf};
+use frond_fit::{
+    Outline, bezier_within, crossings, fidelity, fit_within, fourier_within, island, maple_leaf, oak_leaf,
+    polyline_within,
+};
 use glam::DVec2;
 
 fn main() {
@@ -72,13 +75,13 @@ fn measure(name: &str, outline: &Outline, bytes: usize) {
     if let Some((line, copies)) = rivals::packed(outline, bytes, &error) {
         report("fit, packed", &line, &format!("{copies} copies"));
     }
-    if let Some(line) = rivals::fourier(outline, bytes, &error) {
+    if let Some(line) = fourier_within(outline, bytes) {
         report("Fourier", &line, "");
     }
-    if let Some(line) = rivals::bezier(outline, bytes, &error) {
+    if let Some(line) = bezier_within(outline, bytes) {
         report("Bézier", &line, "");
     }
-    if let Some(line) = rivals::polyline(outline, bytes, &error) {
+    if let Some(line) = polyline_within(outline, bytes) {
         report("polyline", &line, "");
     }
 }

@@ -4,7 +4,12 @@ use std::fmt::Write as _;
 
 use glam::DVec2;
 
+use super::contest::SIDES;
 use super::{Spline, joint};
+use crate::outline::bounds;
+
+/// What a picture leaves free on each side, in parts of the longer one.
+const MARGIN: f64 = 0.01;
 
 /// Parts of a step of the grid to which numbers are written: joints lie on halves.
 const FINE: f64 = 20.0;
@@ -37,6 +42,33 @@ impl Spline {
         }
         path + "Z"
     }
+
+    /// The curve as an SVG file of one path, whose longer side is `size` pixels. `fill`: a colour, or "none" for a line
+    /// alone.
+    #[must_use]
+    pub fn svg(&self, size: f64, fill: &str) -> String {
+        let (low, high) = bounds(&self.polyline(SIDES));
+        let sides = (high - low).max(DVec2::splat(self.grid));
+        let longest = sides.max_element();
+        let margin = DVec2::splat(MARGIN * longest);
+        let (corner, all) = (DVec2::new(low.x, -high.y) - margin, sides + 2.0 * margin);
+        let [width, height] = (all * (size / all.max_element())).to_array().map(|side| side.max(1.0).ceil());
+        let stroke = if fill == "none" {
+            let wide = all.max_element() / 500.0;
+            format!(" stroke=\"#000000\" stroke-width=\"{wide}\" stroke-linejoin=\"round\"")
+        } else {
+            String::new()
+        };
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"{width}\" \
+             height=\"{height}\">\n<path fill=\"{fill}\"{stroke} d=\"{}\"/>\n</svg>\n",
+            corner.x,
+            corner.y,
+            all.x,
+            all.y,
+            self.path()
+        )
+    }
 }
 
 #[cfg(test)]
@@ -54,6 +86,9 @@ mod tests {
         let mut turned = nodes.clone();
         turned.rotate_left(2);
         assert_eq!(path(turned), "M2.00 0.00Q3.00 -1.00 2.75 -1.50Q2.50 -2.00 0.00 0.00L2.00 0.00Z");
+        let picture = Spline { nodes: nodes.clone(), grid: 0.5 }.svg(300.0, "none");
+        assert!(picture.contains("width=\"300\"") && picture.contains("Q3.00 -1.00 2.75 -1.50"), "{picture}");
+        assert!(picture.contains("viewBox=\"-0.0") && picture.contains("stroke-width"), "{picture}");
         let corners: Vec<Node> = nodes.into_iter().map(|node| Node { on: true, ..node }).collect();
         assert_eq!(path(corners), "M0.00 0.00L2.00 0.00L3.00 -1.00L2.50 -2.00Z");
     }

@@ -15,11 +15,15 @@ const FLAT: f64 = 0.1;
 /// The most sides of a parabola while it is fitted.
 const MOST_SIDES: usize = 8;
 
+/// Half the length of the second derivative of a parabola with these control points.
+pub fn bend(from: DVec2, at: DVec2, to: DVec2) -> f64 {
+    (from - 2.0 * at + to).length()
+}
+
 /// How many sides a parabola with these control points has while it is fitted.
 pub fn sides(from: DVec2, at: DVec2, to: DVec2) -> usize {
     // Half the second derivative over four times the square of the number of sides.
-    let bend = (from - 2.0 * at + to).length();
-    ((bend / (4.0 * FLAT)).sqrt().ceil() as usize).clamp(2, MOST_SIDES)
+    ((bend(from, at, to) / (4.0 * FLAT)).sqrt().ceil() as usize).clamp(2, MOST_SIDES)
 }
 
 /// The corners of the piece of node i, its end among them, none twice in a row.

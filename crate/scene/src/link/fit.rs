@@ -3,9 +3,12 @@
 //! ```text
 //! curve-a=maple&curve-b=curve:AaBb..&curve-b-name=My%20leaf
 //! fit=outline:closed,260,0&fitted=curve:AaBb..&graph=fif:0.5,0.7,0.3,0,0,0,1;..
+//! fit=outline:spline,260,0&bytes=50&spline=AaBb..&spline-name=My%20leaf&curve-a=spline&curve-b=curve-a
 //! ```
 //!
-//! The word of a curve is [`ClosedCurve::to_text`]; a piece of a graph is a, b, c, d, e and its domain.
+//! The word of a curve is [`ClosedCurve::to_text`], that of a spline [`Spline::to_text`](frond_fit::Spline::to_text); a
+//! piece of a graph is a, b, c, d, e and its domain. A curve that was taken from the fit of the same link, or is that of
+//! the other end, is not written twice: `fitted`, `spline` and `curve-a` stand for it.
 
 use std::fmt::Write as _;
 
@@ -16,17 +19,24 @@ use super::words::{
     choice, damaged, escape, name_of, number, numbers, read_list, read_numbers, tidy, unescape,
 };
 use crate::curve::{Curve, CurveShape, Curves};
-use crate::fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS};
+use crate::fit::{
+    BYTES, Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS, SplineShape,
+    USUAL_BYTES,
+};
 
 const MODES: [(&str, FitMode); 2] = [("outline", FitMode::Outline), ("graph", FitMode::Graph)];
-const MODELS: [(&str, FitModel); 2] = [("closed", FitModel::Closed), ("collage", FitModel::Collage)];
+const MODELS: [(&str, FitModel); 3] =
+    [("closed", FitModel::Closed), ("collage", FitModel::Collage), ("spline", FitModel::Spline)];
 const KINDS: [(&str, GraphKind); 3] =
     [("fif", GraphKind::Fif), ("rfif", GraphKind::Rfif), ("pfif", GraphKind::Pfif)];
 /// The keys of a curve: of itself and of its name; and what it is called.
 type Keys = [&'static str; 3];
 const A: Keys = ["curve-a", "curve-a-name", "The first curve"];
 const B: Keys = ["curve-b", "curve-b-name", "The second curve"];
-const FITTED: Keys = ["fitted", "fitted-name", "The fitted curve"];
+const FITTED_WORD: &str = "fitted";
+const FITTED: Keys = [FITTED_WORD, "fitted-name", "The fitted curve"];
+const SPLINE: &str = "spline";
+const SPLINE_NAME: &str = "spline-name";
 
 /// What a value cannot be, and why: the full stop comes after it.
 fn as_a(what: &str, why: &impl std::fmt::Display) -> String {
@@ -43,33 +53,97 @@ fn gallery(id: &str) -> Option<CurveShape> {
     })
 }
 
-pub(super) fn write_curves(link: &mut String, curves: &Curves) -> Result<(), LinkError> {
-    write_curve(link, A, &curves.a)?;
-    write_curve(link, B, &curves.b)
+/// The curves of a link that others are taken from, by the words that stand for them.
+struct Given(Vec<(&'static str, CurveShape)>);
+
+impl Given {
+    /// Those of a fit, as a morph takes them.
+    fn of(fit: Option<&Fit>) -> Self {
+        let taken = |name: &str, curve: &Curve| {
+            let curve = curve.taken().ok()?;
+            Some(CurveShape { preset: None, name: name.to_owned(), curve })
+        };
+        let fitted = fit.and_then(|fit| fit.curve.as_ref());
+        let fitted = fitted.and_then(|shape| Some((FITTED_WORD, taken(&shape.name, &shape.curve)?)));
+        let spline = fit.and_then(|fit| fit.spline.as_ref()).and_then(|shape| {
+            let curve = Curve::from(&shape.spline().ok()?.polygon());
+            Some((SPLINE, taken(&shape.name, &curve)?))
+        });
+        Self([fitted, spline].into_iter().flatten().collect())
+    }
+
+    fn word(&self, curve: &Curve) -> Option<(&'static str, &str)> {
+        let (word, shape) = self.0.iter().find(|(_, shape)| shape.curve == *curve)?;
+        Some((word, &shape.name))
+    }
+
+    fn shape(&self, word: &str) -> Option<&CurveShape> {
+        self.0.iter().find(|(other, _)| *other == word).map(|(_, shape)| shape)
+    }
+
+    /// The first end may be the other, too.
+    fn and(mut self, shape: &CurveShape) -> Self {
+        self.0.push((A[0], CurveShape { preset: None, ..shape.clone() }));
+        self
+    }
 }
 
-fn write_curve(link: &mut String, [key, name_key, which]: Keys, shape: &CurveShape) -> Result<(), LinkError> {
+pub(super) fn write_curves(link: &mut String, curves: &Curves, fit: Option<&Fit>) -> Result<(), LinkError> {
+    let given = Given::of(fit);
+    write_curve(link, A, &curves.a, &given)?;
+    write_curve(link, B, &curves.b, &given.and(&curves.a))
+}
+
+fn write_curve(
+    link: &mut String,
+    [key, name_key, which]: Keys,
+    shape: &CurveShape,
+    given: &Given,
+) -> Result<(), LinkError> {
     let same = |found: &CurveShape| found.curve == shape.curve;
     if let Some(id) = shape.preset.as_deref().filter(|id| gallery(id).as_ref().is_some_and(same)) {
         let _ = write!(link, "&{key}={id}");
         return Ok(());
     }
+    let name = tidy(&shape.name);
+    if let Some((word, of)) = given.word(&shape.curve) {
+        let _ = write!(link, "&{key}={word}");
+        write_name(link, name_key, if name == tidy(of) { "" } else { &name });
+        return Ok(());
+    }
     let unwritten = |source| LinkError::Curve { which, source };
     let text = shape.closed().and_then(|curve| curve.to_text()).map_err(unwritten)?;
     let _ = write!(link, "&{key}=curve:{text}");
-    let name = tidy(&shape.name);
-    if !name.is_empty() {
-        let _ = write!(link, "&{name_key}={}", escape(&name));
-    }
+    write_name(link, name_key, &name);
     Ok(())
 }
 
+fn write_name(link: &mut String, key: &str, name: &str) {
+    if !name.is_empty() {
+        let _ = write!(link, "&{key}={}", escape(name));
+    }
+}
+
+/// The name under a key, tidied; none where there is none.
+fn read_name<'a>(get: &impl Fn(&str) -> Option<&'a str>, key: &str) -> Option<String> {
+    get(key).map(unescape).map(|name| tidy(&name)).filter(|name| !name.is_empty())
+}
+
 /// The closed curves of a link: both or none.
-pub(super) fn read_curves<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Curves>, LinkError> {
+pub(super) fn read_curves<'a>(
+    get: &impl Fn(&str) -> Option<&'a str>,
+    fit: Option<&Fit>,
+) -> Result<Option<Curves>, LinkError> {
     let without = |[key, ..]: Keys, [other, ..]: Keys| {
         Err(LinkError::Value { key, value: format!("left out beside “{other}”") })
     };
-    match (read_curve(get, A)?, read_curve(get, B)?) {
+    if get(A[0]).is_none() && get(B[0]).is_none() {
+        return Ok(None);
+    }
+    let given = Given::of(fit);
+    let a = read_curve(get, A, &given)?;
+    let given = a.iter().fold(given, Given::and);
+    match (a, read_curve(get, B, &given)?) {
         (Some(a), Some(b)) => Ok(Some(Curves { a, b })),
         (None, None) => Ok(None),
         (Some(_), None) => without(B, A),
@@ -80,15 +154,19 @@ pub(super) fn read_curves<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<
 fn read_curve<'a>(
     get: &impl Fn(&str) -> Option<&'a str>,
     [key, name_key, _]: Keys,
+    given: &Given,
 ) -> Result<Option<CurveShape>, LinkError> {
     let Some(text) = get(key) else { return Ok(None) };
+    if let Some(shape) = given.shape(text) {
+        let name = read_name(get, name_key).unwrap_or_else(|| tidy(&shape.name));
+        return Ok(Some(CurveShape { name, ..shape.clone() }));
+    }
     let Some(word) = text.strip_prefix("curve:") else {
         return gallery(text).map(Some).ok_or_else(|| damaged(key, text));
     };
     let curve = ClosedCurve::from_text(word)
         .map_err(|error| LinkError::Value { key, value: as_a("read as a curve", &error) })?;
-    let name = get(name_key).map(unescape).map(|name| tidy(&name)).filter(|name| !name.is_empty());
-    let name = name.unwrap_or_else(|| "Own curve".to_owned());
+    let name = read_name(get, name_key).unwrap_or_else(|| "Own curve".to_owned());
     Ok(Some(CurveShape { preset: None, name, curve: Curve::from(&curve) }))
 }
 
@@ -96,7 +174,16 @@ pub(super) fn write_fit(link: &mut String, fit: &Fit) -> Result<(), LinkError> {
     let (mode, model) = (name_of(&MODES, &fit.mode), name_of(&MODELS, &fit.model));
     let _ = write!(link, "&fit={mode}:{model},{},{}", fit.numbers, number(fit.smoothing));
     if let Some(curve) = &fit.curve {
-        write_curve(link, FITTED, curve)?;
+        write_curve(link, FITTED, curve, &Given(Vec::new()))?;
+    }
+    if fit.bytes != USUAL_BYTES {
+        let _ = write!(link, "&bytes={}", fit.bytes);
+    }
+    if let Some(shape) = &fit.spline {
+        // What is no spline is no word either.
+        shape.spline().map_err(|error| LinkError::Value { key: SPLINE, value: as_a("kept", &error) })?;
+        let _ = write!(link, "&{SPLINE}={}", shape.word);
+        write_name(link, SPLINE_NAME, &tidy(&shape.name));
     }
     if let Some(graph) = &fit.graph {
         let piece = |piece: &GraphPiece| numbers(&[&piece.map[..], &piece.domain[..]].concat());
@@ -107,11 +194,13 @@ pub(super) fn write_fit(link: &mut String, fit: &Fit) -> Result<(), LinkError> {
 }
 
 pub(super) fn read_fit<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Fit>, LinkError> {
-    let (curve, graph) = (read_curve(get, FITTED)?, read_graph(get)?);
+    let (curve, graph) = (read_curve(get, FITTED, &Given(Vec::new()))?, read_graph(get)?);
+    let (bytes, spline) = (read_bytes(get)?, read_spline(get)?);
     let Some(text) = get("fit") else {
         let mode = if graph.is_some() { FitMode::Graph } else { FitMode::Outline };
-        let found = curve.is_some() || graph.is_some();
-        return Ok(found.then(|| Fit { mode, curve, graph, ..Fit::default() }));
+        let found = curve.is_some() || spline.is_some() || graph.is_some();
+        let model = if curve.is_none() && spline.is_some() { FitModel::Spline } else { FitModel::Closed };
+        return Ok(found.then(|| Fit { mode, model, bytes, curve, spline, graph, ..Fit::default() }));
     };
     let bad = || damaged("fit", text);
     let (mode, rest) = text.split_once(':').ok_or_else(bad)?;
@@ -123,7 +212,22 @@ pub(super) fn read_fit<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Opt
     }
     let mode = choice("fit", Some(mode), &MODES)?;
     let model = choice("fit", Some(model), &MODELS)?;
-    Ok(Some(Fit { mode, model, numbers, smoothing, curve, graph }))
+    Ok(Some(Fit { mode, model, numbers, bytes, smoothing, curve, spline, graph }))
+}
+
+fn read_bytes<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<u32, LinkError> {
+    let Some(text) = get("bytes") else { return Ok(USUAL_BYTES) };
+    text.parse().ok().filter(|bytes| BYTES.contains(bytes)).ok_or_else(|| damaged("bytes", text))
+}
+
+fn read_spline<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<SplineShape>, LinkError> {
+    let Some(word) = get(SPLINE) else { return Ok(None) };
+    let name = read_name(get, SPLINE_NAME).unwrap_or_else(|| "Own curve".to_owned());
+    let shape = SplineShape { name, word: word.to_owned() };
+    match shape.spline() {
+        Ok(_) => Ok(Some(shape)),
+        Err(error) => Err(LinkError::Value { key: SPLINE, value: as_a("read as a curve", &error) }),
+    }
 }
 
 fn read_graph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Graph>, LinkError> {

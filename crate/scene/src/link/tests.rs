@@ -7,9 +7,10 @@ use super::*;
 use crate::curve::{Curve, CurveShape, Curves};
 use crate::deformation::*;
 use crate::directed::{Directed, DirectedCopy, DirectedShape};
-use crate::fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece};
+use crate::fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, SplineShape};
 use crate::scene::{FamilyName, LocusView, MAX_WAY_POINTS, Path, WayPoint};
 use crate::space::{Held, SpacePart, SpaceView};
+use frond_fit::{Node, Spline};
 
 fn encode(scene: &Scene) -> String {
     super::encode(scene).unwrap()
@@ -107,18 +108,33 @@ fn any_graph() -> impl Strategy<Value = Graph> {
         })
 }
 
+fn any_spline() -> impl Strategy<Value = SplineShape> {
+    let node = (-300..300_i32, -300..300_i32, any::<bool>());
+    (proptest::collection::vec(node, 3..40), "\\PC{0,30}", -6..6_i32).prop_map(|(list, name, size)| {
+        let node =
+            |&(x, y, on): &(i32, i32, bool)| Node { at: glam::DVec2::new(f64::from(x), f64::from(y)), on };
+        let spline = Spline { nodes: list.iter().map(node).collect(), grid: f64::from(size).exp2() };
+        let name = tidy(&name);
+        let name = if name.is_empty() { "Own curve".to_owned() } else { name };
+        SplineShape { name, word: spline.to_text().unwrap() }
+    })
+}
+
 fn any_fit() -> impl Strategy<Value = Fit> {
     let modes = proptest::sample::select(vec![FitMode::Outline, FitMode::Graph]);
-    let models = proptest::sample::select(vec![FitModel::Closed, FitModel::Collage]);
+    let models = proptest::sample::select(vec![FitModel::Closed, FitModel::Collage, FitModel::Spline]);
+    let spline = (proptest::option::of(any_spline()), prop_oneof![Just(150), 32..=4000_u32]);
     let curve = proptest::option::of(any_curve());
     let graph = proptest::option::of(any_graph());
-    (modes, models, 12..=2000_u32, 0.0..=1.0_f64, curve, graph).prop_map(
-        |(mode, model, numbers, smoothing, curve, graph)| Fit {
+    (modes, models, 12..=2000_u32, 0.0..=1.0_f64, curve, graph, spline).prop_map(
+        |(mode, model, numbers, smoothing, curve, graph, (spline, bytes))| Fit {
             mode,
             model,
             numbers,
+            bytes,
             smoothing,
             curve,
+            spline,
             graph,
         },
     )
@@ -497,6 +513,11 @@ fn fits_that_cannot_be_are_said_to_be_damaged() {
         "fit=outline:closed,260.5,0",
         "fit=outline:closed,260,NaN",
         "fit=leaf:closed,260,0",
+        "bytes=31",
+        "spline=AAAA",
+        "curve-a=spline&curve-b=maple",
+        "curve-a=curve-a&curve-b=maple",
+        "curve-a=maple&curve-b=fitted",
     ];
     for words in [curve].iter().chain(&graphs).chain(&fits) {
         let (scene, problem) = decode(&format!("v=1&{words}"));
@@ -517,8 +538,55 @@ fn a_fit_of_260_numbers_takes_less_than_4_kilobytes() {
     let shape = CurveShape { preset: None, name: "A leaf".to_owned(), curve: Curve::from(&curve) };
     assert_eq!(curve.numbers(), 260);
     let mut link = String::new();
-    write_curves(&mut link, &Curves { a: shape.clone(), b: shape }).unwrap();
-    assert!(link.len() > 500 && link.len() < 2 * 4096, "{}", link.len());
+    write_curves(&mut link, &Curves { a: shape.clone(), b: shape }, None).unwrap();
+    assert!(link.len() > 500 && link.len() < 4096, "{}", link.len());
+}
+
+#[test]
+fn a_curve_that_is_fitted_and_stands_at_both_ends_is_written_once() {
+    let (gallery, _) = decode("v=1&curve-a=maple&curve-b=oak");
+    let leaf = gallery.curves.unwrap().a.curve;
+    let moved = Curve { knots: leaf.knots.iter().map(|&[x, y]| [3.0 * x + 7.0, 3.0 * y]).collect(), ..leaf };
+    let of =
+        |name: &str, curve: &Curve| CurveShape { preset: None, name: name.to_owned(), curve: curve.clone() };
+    let fitted = of("Leaf", &Curve::from(&frond_fit::ClosedCurve::from(&moved).quantised().unwrap()));
+    let taken = of("Leaf", &fitted.curve.taken().unwrap());
+    let fit = Fit { curve: Some(fitted), ..Fit::default() };
+    let alone = super::encode(&Scene { fit: Some(fit.clone()), ..Scene::default() }).unwrap();
+    let curves = Curves { a: taken.clone(), b: CurveShape { name: "Other".to_owned(), ..taken } };
+    let mut scene = Scene { fit: Some(fit), curves: Some(curves), ..Scene::default() };
+    let link = super::encode(&scene).unwrap();
+    assert_eq!(link.len() - alone.len(), "&curve-a=fitted&curve-b=fitted&curve-b-name=Other".len(), "{link}");
+    assert_eq!(decode(&link), (scene.clone(), None));
+    // Without the fit it stands there once.
+    scene.fit = None;
+    let link = super::encode(&scene).unwrap();
+    assert!(link.ends_with("&curve-b=curve-a&curve-b-name=Other"), "{link}");
+    assert_eq!(decode(&link), (scene, None));
+}
+
+#[test]
+fn a_spline_is_its_bytes_and_an_end_that_is_taken_from_it_a_word() {
+    let node = |x: f64, y: f64, on: bool| Node { at: glam::DVec2::new(x, y), on };
+    let nodes =
+        vec![node(0.0, 0.0, true), node(40.0, 2.0, false), node(30.0, 50.0, true), node(-20.0, 30.0, false)];
+    let spline = Spline { nodes, grid: 0.125 };
+    let shape = SplineShape { name: "Leaf".to_owned(), word: spline.to_text().unwrap() };
+    let fit = Fit { model: FitModel::Spline, bytes: 50, spline: Some(shape.clone()), ..Fit::default() };
+    let mut scene = Scene { fit: Some(fit), ..Scene::default() };
+    let link = super::encode(&scene).unwrap();
+    let words = format!("&fit=outline:spline,260,0&bytes=50&spline={}&spline-name=Leaf", shape.word);
+    assert!(link.ends_with(&words), "{link}");
+    assert_eq!(decode(&link), (scene.clone(), None));
+    assert!(shape.word.len() < 32, "{}", shape.word);
+    let curve = Curve::from(&spline.polygon()).taken().unwrap();
+    let end = CurveShape { preset: None, name: "Leaf".to_owned(), curve };
+    scene.curves = Some(Curves { a: end.clone(), b: end });
+    let both = super::encode(&scene).unwrap();
+    assert_eq!(both.len() - link.len(), "&curve-a=spline&curve-b=spline".len(), "{both}");
+    assert_eq!(decode(&both), (scene.clone(), None));
+    scene.fit.as_mut().unwrap().spline.as_mut().unwrap().word.truncate(5);
+    assert_eq!(super::encode(&scene).map_err(|error| error.code()), Err("link-unfit"));
 }
 
 #[test]

@@ -22,13 +22,13 @@ type Functions = Pick<Draw, "attractor" | "rasterize"> &
     | "routes"
     | "ways"
   > &
-  Pick<Fit, "fitCurve" | "houghMaps" | "rivalFit" | "traceOutline"> &
+  Pick<Fit, "fitCurve" | "fitWithin" | "houghMaps" | "rivalFit" | "rivalWithin" | "traceOutline"> &
   Pick<Space, "attractor3" | "boxes3" | "checkPath3" | "connectedness3" | "facts3" | "findPath3">;
 
 export interface How {
   /** Calls it off: the promise is rejected with the reason of the signal, at once. */
   signal?: AbortSignal;
-  /** How much is done, 0 to 1: now and then of `locus` and `fitCurve`, of others at the end. */
+  /** How much is done, 0 to 1: now and then of `locus`, `fitCurve` and `fitWithin`, of others at the end. */
   onProgress?: (share: number) => void;
 }
 
