@@ -20,6 +20,9 @@ const PARAMETER_BITS: f64 = 5.0;
 /// Bits for the two numbers of a [`StepLaw`].
 const STEPS_BITS: f64 = 10.0;
 
+/// How many grids are tried within an octave to each side of the finest that holds a polyline.
+const NEAR_GRIDS: i32 = 16;
+
 /// The nearest so far, and how near it is: the sum of squares of distances.
 #[derive(Default)]
 struct Best(Option<(f64, Vec<DVec2>)>);
@@ -59,11 +62,22 @@ pub fn polyline_within(outline: &Outline, bytes: usize) -> Option<Vec<DVec2>> {
     let mut best = Best::default();
     for bits in [6.5, 7.5, 8.5, 9.5, 11.0, 13.0] {
         let corners = least_squares_polyline(outline, 2 * (8.0 * bytes as f64 / bits) as usize);
-        for grid in grids(outline.diagonal()) {
+        let on = |grid: f64| {
             let grid = kept_grid(grid);
             let nodes = corners.iter().map(|p| Node { at: (*p / grid).round(), on: true }).collect();
-            let spline = Spline { nodes, grid };
-            if spline.to_bytes().is_ok_and(|packed| packed.len() <= bytes) {
+            Spline { nodes, grid }
+        };
+        let fits = |spline: &Spline| spline.to_bytes().is_ok_and(|packed| packed.len() <= bytes);
+        let Some(finest) = grids(outline.diagonal()).take_while(|&grid| fits(&on(grid))).last() else {
+            continue;
+        };
+        // Around the finest that fits: where corners come to lie is as good as chance.
+        let around = (-NEAR_GRIDS..=NEAR_GRIDS).map(|k| f64::from(k) / f64::from(NEAR_GRIDS) + finest.log2());
+        // Drawings lie on grids of their own.
+        let whole = (-1..=1).map(|k| f64::from(k) + finest.log2().floor());
+        for exponent in around.chain(whole) {
+            let spline = on(exponent.exp2());
+            if fits(&spline) {
                 best.show(outline, spline.polyline(1));
             }
         }

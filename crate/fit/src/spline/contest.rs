@@ -81,17 +81,20 @@ impl Contest {
         Some(many)
     }
 
-    /// The polygon on the finest grid on which it fits.
+    /// The polygon on the finest grid on which it fits, and on the next two whose widths are powers of two: drawings lie
+    /// on such grids.
     pub fn show_polygon(&mut self, corners: &[DVec2]) {
         let diagonal = self.outline.diagonal();
-        let (mut fits, mut fails) = (None, None);
-        let mut exponent = 6.0_f64;
-        for _ in 0..POLYGON_GRIDS {
-            let grid = kept_grid(diagonal * (-exponent).exp2());
+        let on = |grid: f64| {
             let mut nodes: Vec<Node> =
                 corners.iter().map(|p| Node { at: (*p / grid).round(), on: true }).collect();
             nodes.dedup();
-            let many = self.show(Spline { nodes, grid });
+            Spline { nodes, grid }
+        };
+        let (mut fits, mut fails) = (None, None);
+        let mut exponent = 6.0_f64;
+        for _ in 0..POLYGON_GRIDS {
+            let many = self.show(on(kept_grid(diagonal * (-exponent).exp2())));
             if many.is_some_and(|many| many <= self.budget) {
                 fits = Some(exponent);
             } else {
@@ -103,6 +106,12 @@ impl Contest {
                 (None, Some(fails)) => fails - 1.0,
                 (None, None) => return,
             };
+        }
+        if let Some(exponent) = fits {
+            let finest = (diagonal * (-exponent).exp2()).log2().floor();
+            for grid in [finest, finest + 1.0, finest + 2.0].map(f64::exp2) {
+                self.show(on(grid));
+            }
         }
     }
 }

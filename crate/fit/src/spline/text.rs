@@ -12,8 +12,10 @@ use crate::closed::ClosedCurve;
 /// The longest word that is read, in characters: four for three bytes.
 const MOST_LETTERS: usize = (4 * MOST_BYTES).div_ceil(3);
 
-/// How far the sides of a polygon may be from its parabolas at first, in parts of the diagonal of its nodes.
+/// How far the sides of a polygon may be from its parabolas at first: in parts of the diagonal of its nodes, and in
+/// steps of the grid, to which a fit is true.
 const FINE: f64 = 1.0 / 2000.0;
+const FINE_STEPS: f64 = 0.125;
 
 /// The most sides of one parabola.
 const MOST_SIDES: f64 = 64.0;
@@ -41,12 +43,12 @@ impl Spline {
     }
 
     /// The curve as one of corners alone, as morphs and bends take it: each parabola has so many sides that they leave
-    /// it by no more than 1/2000 of the diagonal, or by twice that and so on where there would be more than
-    /// [`MAX_KNOTS`] corners. So no copies are in it.
+    /// it by no more than 1/2000 of the diagonal and 1/8 of a step of the grid, or by twice that and so on where there
+    /// would be more than [`MAX_KNOTS`] corners. So no copies are in it.
     #[must_use]
     pub fn polygon(&self) -> ClosedCurve {
         let (low, high) = crate::outline::bounds(&self.nodes.iter().map(|node| node.at).collect::<Vec<_>>());
-        let mut off = FINE * low.distance(high).max(1.0);
+        let mut off = (FINE * low.distance(high)).clamp(1e-3, FINE_STEPS);
         loop {
             let mut knots = self.sides_within(off);
             if knots.len() <= MAX_KNOTS {
@@ -114,9 +116,9 @@ mod tests {
         let polygon = curve.polygon();
         let near = crate::outline::Nearest::new(&polygon.knots, true);
         let off = curve.polyline(64).iter().map(|&p| near.to(p).squared.sqrt()).fold(0.0, f64::max);
-        assert!(off < 4600.0 * 0.25 * 1.5 / 2000.0, "{off}");
+        assert!(off < 0.13 * 0.25, "{off}");
         assert!(polygon.is_sound() && polygon.copies() == 0);
-        assert!(polygon.knots.len() > 60 && polygon.knots.len() < 300, "{}", polygon.knots.len());
+        assert!(polygon.knots.len() > 60 && polygon.knots.len() < 900, "{}", polygon.knots.len());
         // A far point makes the others' parabolas small; so does one that is far out alone.
         let mut zigzag = wave(MAX_NODES);
         for (i, node) in zigzag.nodes.iter_mut().enumerate() {
