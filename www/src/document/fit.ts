@@ -7,6 +7,17 @@ import { openTool } from "./tool";
 /** What stands for a document that says nothing of fitting. */
 const PLAIN_FIT: Fit = { mode: "outline", model: "closed", numbers: 260, smoothing: 0 };
 
+/** How many bytes a fit by corners and parabolas may take, where a document says nothing. */
+const USUAL_BYTES = 150;
+
+/** How many bytes it may take. */
+export const bytesOf = (fit: Fit): number => fit.bytes ?? USUAL_BYTES;
+
+/** With so many bytes: the usual number is not written. */
+export function withBytes({ bytes: _, ...fit }: Fit, bytes: number): Fit {
+  return bytes === USUAL_BYTES ? fit : { ...fit, bytes };
+}
+
 /** What the document says of fitting. */
 export const fitDocument: ReadonlySignal<Fit> = computed(() => scene.value.fit ?? PLAIN_FIT);
 

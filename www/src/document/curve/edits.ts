@@ -5,6 +5,7 @@ import { boxAround } from "../framing";
 import { edit, scene } from "../scene";
 import { type End, withCurve } from "./changes";
 import { curveBox, curved } from "./curve";
+import { polygonOf } from "./polygon";
 
 let loaded: readonly CurvePreset[] | null = null;
 
@@ -45,5 +46,12 @@ export function bendCurve(shape: CurveShape): void {
 
 /** What the fit has found, as an end of a morph. */
 export function fitted(): CurveShape | null {
-  return scene.peek().fit?.curve ?? null;
+  const fit = scene.peek().fit;
+  const { spline } = fit ?? {};
+  if (!spline) return fit?.curve ?? null;
+  try {
+    return { name: spline.name, curve: polygonOf(spline.word) };
+  } catch {
+    return null;
+  }
 }

@@ -1,11 +1,12 @@
 /** Photographs of the leaves that curves were fitted to: in this page alone, since a link does not hold them. */
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import type { Curve } from "#wasm/api";
+import type { Curve, Fit } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { curvesReady, rough } from "#wasm/curve";
 import type { KeptPhotograph } from "../kept/fits";
 import { centred, centredBox, centringOf } from "./centred";
 import { curves } from "./curve";
+import { polygonOf } from "./polygon";
 
 /** A photograph, and where it lies in the plane of its curve: left, bottom, right, top. */
 export interface CurvePhotograph {
@@ -73,13 +74,17 @@ export function watchPhotographs(): () => void {
   });
 }
 
+/** The curve of a fit as it was taken from it. */
+const curveOf = (fit: Fit | undefined): Curve | undefined =>
+  fit?.spline ? polygonOf(fit.spline.word) : fit?.curve?.curve;
+
 async function lookFor(all: readonly Curve[]): Promise<void> {
   try {
     const wanted = new Set(all.map(keyOf).filter((key) => !held.peek().has(key) && !sought.has(key)));
     if (wanted.size === 0) return;
     const { Fits } = await import("../kept/fits");
     for (const { fragment, photograph } of await new Fits().list()) {
-      const fit = photograph && frond.decodeScene(fragment).scene.fit?.curve?.curve;
+      const fit = photograph && curveOf(frond.decodeScene(fragment).scene.fit);
       if (fit && wanted.has(keyOf(takenCurve(fit)))) await holdPhotograph(fit, photograph);
     }
     for (const key of wanted) if (!held.peek().has(key)) sought.add(key);

@@ -31,6 +31,39 @@ export function curveJson(
   );
 }
 
+/** Corners and control points. */
+export function splineJson(
+  name: string,
+  word: string,
+  { nodes, grid, bytes }: { nodes: { at: [number, number]; on: boolean }[]; grid: number; bytes: number },
+  figures: Figures | null,
+): string {
+  return JSON.stringify(
+    {
+      kind: "corners and parabolas",
+      name,
+      about:
+        "A closed curve. A node that is `on` it is a corner; any other is the middle control point of a parabola (a quadratic Bézier segment). Two of these side by side have a joint halfway. `word` is all of it in base 64 (URL-safe): it takes so many `bytes`. y points up.",
+      word,
+      bytes,
+      grid,
+      nodes,
+      ...(figures ? { figures: { unit: "percent of the diagonal of the outline's box", ...figures } } : {}),
+    },
+    null,
+    1,
+  );
+}
+
+/** x,y lines. */
+export function pointsCsv(points: Float64Array): string {
+  const lines = ["x,y"];
+  for (let i = 0; i + 1 < points.length; i += 2) {
+    lines.push(`${short(points[i] ?? 0)},${short(points[i + 1] ?? 0)}`);
+  }
+  return `${lines.join("\n")}\n`;
+}
+
 export function collageJson(name: string, options: CollageOptions, fit: Collage): string {
   const maps = fit.maps.map(
     ([start = 0, reversed = 0, c11 = 0, c12 = 0, c21 = 0, c22 = 0, bx = 0, by = 0, ex = 0, ey = 0]) => ({

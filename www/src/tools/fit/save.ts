@@ -8,14 +8,19 @@ import { BAD, GREY, WHITE } from "#style/colours";
 import { palette } from "#style/palette";
 import { download, plainName, pngOf } from "#ui/files/download";
 import { rough } from "#wasm/curve";
-import { collageCsv, collageJson, collageSvg, curveJson } from "./files";
+import { collageCsv, collageJson, collageSvg, curveJson, pointsCsv, splineJson } from "./files";
 import { paint } from "./stage/draw";
-import { collage, plainName as nameOf, shownFigures, shownFit } from "./work/fitting";
+import { collage, shownFigures, shownFit } from "./work/fitting";
 import { boxOf } from "./work/frame";
+import { plainName as nameOf } from "./work/name";
 import { polylineOf, prepared } from "./work/outline";
 import { source } from "./work/source";
+import { shownWithin, withinDone } from "./work/within";
 
 const LONG_SIDE = 2400;
+
+/** The curve within bytes, where that is what is fitted. */
+const within = () => (fitDocument.peek().model === "spline" ? shownWithin.peek() : null);
 
 const paper = () => {
   const now = collage.peek();
@@ -26,6 +31,9 @@ export function saveSvg(): void {
   save("svg", "image/svg+xml", () => {
     const other = paper();
     if (other) return collageSvg(other.fit);
+    const spline = within();
+    // Its own parabolas, and no others.
+    if (spline) return rough.splineSvg(spline.word, undefined);
     const best = shownFit.peek();
     return best && rough.curveSvg(best.curve, undefined);
   });
@@ -35,6 +43,8 @@ export function saveCsv(): void {
   save("csv", "text/csv", () => {
     const other = paper();
     if (other) return collageCsv(other.fit);
+    const spline = within();
+    if (spline) return pointsCsv(spline.points);
     const best = shownFit.peek();
     return best && rough.curveCsv(best.curve, undefined);
   });
@@ -45,6 +55,15 @@ export function saveJson(): void {
     const other = paper();
     const name = nameOf(source.peek().name);
     if (other) return collageJson(name, other.options, other.fit);
+    const spline = within();
+    if (spline) {
+      return splineJson(
+        name,
+        spline.word,
+        rough.unpackSpline(spline.word),
+        withinDone.peek()?.figures ?? null,
+      );
+    }
     const best = shownFit.peek();
     return (
       best && curveJson(name, best.curve, rough.curveMaps(best.curve), shownFigures.peek()?.figures ?? null)
@@ -66,7 +85,9 @@ export function savePng(): void {
   try {
     const other = paper();
     const best = shownFit.peek();
-    const points = other ? other.fit.points : best && (polylineOf(best.curve) ?? best.points);
+    const points = other
+      ? other.fit.points
+      : (within()?.points ?? (best && (polylineOf(best.curve) ?? best.points)));
     if (!points) return;
     const box = boxOf(points);
     const [across, up] = [box.x1 - box.x0, box.y1 - box.y0];

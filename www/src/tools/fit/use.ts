@@ -4,16 +4,28 @@ import { cutOut } from "#document/curve/cut-out";
 import { holdPhotograph, takenCurve } from "#document/curve/photographs";
 import { tellReplaced } from "#document/curve/replaced";
 import { bendPicture } from "#document/deform/bend-picture";
-import { useCurve as takeCurve, type Use } from "#document/fit";
+import { fitDocument, useCurve as takeCurve, type Use } from "#document/fit";
 import type { KeptPhotograph } from "#document/kept/fits";
 import { notify, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { croppedPhotograph } from "./kept/photograph";
-import { problem, running, shapeOf, shownFigures, shownFit } from "./work/fitting";
+import { shapeOf, shownFigures, shownFit } from "./work/fitting";
 import { polylineOf, prepared } from "./work/outline";
+import { problem, running } from "./work/progress";
 import { source } from "./work/source";
+import { polygonShape, shownWithin, withinDone } from "./work/within";
+
+/** The fit on the stage as a closed curve: one within bytes with straight sides in place of its parabolas. */
+export function shownShape(): CurveShape | null {
+  if (fitDocument.peek().model === "spline") {
+    const within = shownWithin.peek();
+    return within && polygonShape(within.word);
+  }
+  const best = shownFit.peek();
+  return best && shapeOf(best.curve);
+}
 
 /** Where the fit goes as soon as it is done. */
 export const waiting = signal<Use | null>(null);
@@ -24,6 +36,8 @@ export function use(to: Use): void {
   else take(to);
 }
 
+const spline = () => fitDocument.value.model === "spline";
+
 /** Takes along what was to wait for its end. Returns the end of it. */
 export function watchUse(): () => void {
   let outline = prepared.peek();
@@ -32,7 +46,7 @@ export function watchUse(): () => void {
     const of = prepared.value;
     // Of another outline nobody has said so.
     if (of !== outline || problem.value !== null) waiting.value = null;
-    else if (to !== null && !running.value && shownFigures.value) {
+    else if (to !== null && !running.value && (spline() ? withinDone.value : shownFigures.value)) {
       waiting.value = null;
       untracked(() => take(to));
     }
@@ -45,11 +59,15 @@ export function watchUse(): () => void {
 }
 
 function take(to: Use): void {
-  const best = shownFit.peek();
   const now = source.peek();
-  if (!best) return;
-  void croppedPhotograph().then((photograph) => photograph && hold(best.curve, photograph));
-  takeShape(shapeOf(best.curve), to, now.kind === "grown" ? now.grown : undefined);
+  try {
+    const shape = shownShape();
+    if (!shape) return;
+    void croppedPhotograph().then((photograph) => photograph && hold(shape.curve, photograph));
+    takeShape(shape, to, now.kind === "grown" ? now.grown : undefined);
+  } catch (problem) {
+    notTaken(problem);
+  }
 }
 
 const hold = (curve: Curve, photograph: KeptPhotograph): unknown =>
@@ -94,6 +112,10 @@ function takeShape(shape: CurveShape, to: Use, grown: string | undefined = shape
     takeCurve(taken, partner, to);
     tellReplaced(before, to === "b" ? "b" : "a");
   } catch (problem) {
-    notify({ kind: "error", text: `This fit cannot be taken there: ${wordsOf(problem)}` });
+    notTaken(problem);
   }
+}
+
+function notTaken(problem: unknown): void {
+  notify({ kind: "error", text: `This fit cannot be taken there: ${wordsOf(problem)}` });
 }

@@ -1,13 +1,15 @@
 /** What the tool says. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import { fitDocument } from "#document/fit";
+import { bytesOf, fitDocument } from "#document/fit";
 import { fixed } from "#format/numbers";
-import type { Figures, Method, Rival } from "#workers/fit/curve";
+import type { ByteMethod, ByteRival, Figures, Method, Rival } from "#workers/fit/curve";
 import { cutting } from "./stage/layers";
-import { cancelled, collage, problem, running, shownFigures, shownFit } from "./work/fitting";
+import { collage, shownFigures, shownFit } from "./work/fitting";
 import { masked, masking, traced } from "./work/mask";
 import { numbersOf, prepared } from "./work/outline";
+import { cancelled, problem, running } from "./work/progress";
 import { reading } from "./work/source";
+import { shownWithin, withinDone } from "./work/within";
 
 /** In percent of the diagonal, with as many digits as say something. */
 export function percent(x: number): string {
@@ -32,7 +34,8 @@ export const statusWords: ReadonlySignal<string> = computed(() => {
   }
   if (!prepared.value) return "Waiting for an outline";
   const now = running.value;
-  const best = shownFit.value;
+  const spline = fitDocument.value.model === "spline";
+  const best = spline ? shownWithin.value : shownFit.value;
   if (fitDocument.value.model === "collage") {
     const paper = collage.value;
     if (now || !paper) return problem.value ? "No fit" : "Fitting …";
@@ -43,14 +46,26 @@ export const statusWords: ReadonlySignal<string> = computed(() => {
     return best ? `Fitting, ${Math.round(100 * now.share)}% done${off}` : "Fitting …";
   }
   if (problem.value) return "No fit";
-  if (cancelled.value && best?.numbers !== fitDocument.value.numbers) return "Stopped before the first fit";
+  if (spline) return withinWords();
+  const closed = shownFit.value;
+  if (cancelled.value && closed?.numbers !== fitDocument.value.numbers) return "Stopped before the first fit";
   // A slider that moves has not asked for anything yet.
-  if (!best || best.numbers !== fitDocument.value.numbers) return "Fitting …";
+  if (!closed || closed.numbers !== fitDocument.value.numbers) return "Fitting …";
   const done = shownFigures.value;
-  const numbers = `${numbersOf(best.curve)} numbers`;
+  const numbers = `${numbersOf(closed.curve)} numbers`;
   if (!done?.figures) return numbers;
   return `${cancelled.value ? "Stopped: " : ""}${percent(done.figures.rms)} off, ${numbers}`;
 });
+
+/** The same of a fit within so many bytes that is not under way. */
+function withinWords(): string {
+  const asked = bytesOf(fitDocument.value);
+  const done = withinDone.value;
+  if (done?.asked !== asked) return cancelled.value ? "Stopped before the first fit" : "Fitting …";
+  const bytes = `${done.bytes.toLocaleString("en-GB")} bytes`;
+  if (!done.figures) return bytes;
+  return `${cancelled.value ? "Stopped: " : ""}${percent(done.figures.rms)} off, ${bytes}`;
+}
 
 export const METHODS: Record<Method, { name: string; about: string }> = {
   squares: { name: "Polyline, best corners", about: "A polyline whose corners were moved by least squares" },
@@ -60,18 +75,41 @@ export const METHODS: Record<Method, { name: string; about: string }> = {
   collage: { name: "As in the paper", about: "Collage least squares by Cochran, Hart and Flynn" },
 };
 
+export const BYTE_METHODS: Record<ByteMethod, { name: string; about: string }> = {
+  squares: {
+    name: "Polyline, best corners",
+    about: "Corners moved by least squares, packed in the same way",
+  },
+  bezier: { name: "Bézier curves", about: "Cubic pieces, counted as an ideal coder would write them" },
+  fourier: { name: "Fourier descriptors", about: "The lowest frequencies, counted as an ideal coder would" },
+};
+
 /** The comparison in a sentence. */
 export function compareWords(figures: Figures, rivals: readonly Rival[]): string {
-  const [nearest] = [...rivals].sort((a, b) => a.figures.rms - b.figures.rms);
+  return nearestWords(
+    figures.rms,
+    rivals.map(({ method, figures }) => ({ name: METHODS[method].name, rms: figures.rms })),
+  );
+}
+
+/** The same of bytes. */
+export function compareBytes(rms: number, rivals: readonly ByteRival[]): string {
+  return nearestWords(
+    rms,
+    rivals.map(({ method, rms }) => ({ name: BYTE_METHODS[method].name, rms })),
+  );
+}
+
+function nearestWords(own: number, others: readonly { name: string; rms: number }[]): string {
+  const [nearest] = [...others].sort((a, b) => a.rms - b.rms);
   if (!nearest) return "";
-  const { name } = METHODS[nearest.method];
-  const ratio = nearest.figures.rms / figures.rms;
-  const plain = name.charAt(0).toLowerCase() + name.slice(1);
+  const ratio = nearest.rms / own;
+  const plain = nearest.name.charAt(0).toLowerCase() + nearest.name.slice(1);
   if (ratio >= 1.05) {
     return `${fixed(ratio, 1)} times as near as the best of the others, ${plain}.`;
   }
   if (ratio > 0.95) return `About as near as the best of the others, ${plain}.`;
-  return `Here ${plain} is nearer: ${percent(nearest.figures.rms)}.`;
+  return `Here ${plain} is nearer: ${percent(nearest.rms)}.`;
 }
 
 /** How rough a fit is beside its outline: in words only where dimension and length say the same. */

@@ -56,6 +56,35 @@ export interface Rival {
   figures: Figures;
 }
 
+/** Ways to spend bytes, each coded as well as the fit. */
+export type ByteMethod = "squares" | "bezier" | "fourier";
+
+/** A curve of corners and parabolas within so many bytes, under way. */
+export interface SplineReached {
+  word: string;
+  points: Float64Array<ArrayBuffer>;
+  share: number;
+  rms: number;
+}
+
+/** The same when it is done. */
+export interface SplineMeasured {
+  /** It packed, in letters. */
+  word: string;
+  bytes: Uint8Array<ArrayBuffer>;
+  corners: number;
+  bends: number;
+  /** A polyline of it. */
+  points: Float64Array<ArrayBuffer>;
+  figures: Figures;
+}
+
+export interface ByteRival {
+  method: ByteMethod;
+  points: Float64Array<ArrayBuffer>;
+  rms: number;
+}
+
 export interface CollageOptions {
   maps: number;
   /** Feature points of the outline. */
@@ -139,6 +168,47 @@ export const curveTasks = {
     } finally {
       handle.free();
     }
+  },
+
+  /** Fits corners and parabolas within so many bytes; what it tells on the way is each time the best so far. */
+  async fitWithin(
+    { fit, progress, breathe }: Context<SplineReached | { share: number }>,
+    { points, bytes }: { points: Float64Array; bytes: number },
+  ): Promise<SplineMeasured> {
+    const handle = new fit.SplineFit(points, bytes);
+    try {
+      let told = Number.NEGATIVE_INFINITY;
+      let last = "";
+      for (;;) {
+        const { done, share } = handle.step(SLICE_MS);
+        const now = performance.now();
+        if (done) return handle.measured() as SplineMeasured;
+        if (now - told > TELL_MS) {
+          const best = handle.best() as Omit<SplineReached, "share"> | undefined;
+          if (best && best.word !== last) progress({ ...best, share }, [best.points.buffer]);
+          else progress({ share });
+          last = best?.word ?? last;
+          told = now;
+        }
+        await breathe();
+      }
+    } finally {
+      handle.free();
+    }
+  },
+
+  /** How near a curve of corners and parabolas is to an outline. */
+  measureSpline({ fit }: Plain, args: { points: Float64Array; word: string }): SplineMeasured {
+    return fit.measureSpline(args.points, args.word) as SplineMeasured;
+  },
+
+  /** Other ways to spend so many bytes: null where nothing fits into them. */
+  rivalWithin(
+    { fit }: Plain,
+    { points, method, bytes }: { points: Float64Array; method: ByteMethod; bytes: number },
+  ): ByteRival | null {
+    const got = fit.rivalWithin(points, method, bytes);
+    return got ? { method, ...(got as Omit<ByteRival, "method">) } : null;
   },
 
   /** How near a curve is to an outline. */

@@ -100,8 +100,8 @@ export function ToShelf() {
 function Entry({ row }: { row: KeptFit }) {
   const [naming, setNaming] = useState(false);
   const { fragment, photograph } = row;
-  const fit = useMemo(() => fitOf(fragment), [fragment]);
-  const shape = fit && { ...fit.curve, name: row.name || fit.curve.name };
+  const read = useMemo(() => fitOf(fragment), [fragment]);
+  const shape = read && { ...read.shape, name: row.name || read.shape.name };
   const take = (to: Use) => () => {
     if (shape) takeKept(shape, photograph, to);
   };
@@ -109,16 +109,16 @@ function Entry({ row }: { row: KeptFit }) {
     <KeptRow
       small
       name={row.name}
-      picture={<Thumbnail bitmap={useThumb(fit?.curve.curve ?? null)} />}
+      picture={<Thumbnail bitmap={useThumb(read?.shape.curve ?? null)} />}
       about={
         <>
-          {fit ? aboutWords(row, fit.curve.curve) : "It cannot be read by this Frond"}
+          {read ? aboutWords(row, read.fit) : "It cannot be read by this Frond"}
           <br />
           {whenWords(row.time)}
           {row.pinned && " · pinned"}
         </>
       }
-      onOpen={fit ? () => openKept(row, fit) : undefined}
+      onOpen={read ? () => openKept(row, read.fit) : undefined}
       naming={naming}
       longest={LONGEST_NAME}
       onName={(name) => void renameKept(row, name)}

@@ -1,14 +1,18 @@
 /** “Your fits”: what a person keeps of this tool, in this browser. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { polygonOf } from "#document/curve/polygon";
 import { fitDocument } from "#document/fit";
 import { newId, reasonOf } from "#document/kept/database";
 import { Fits, type KeptFit, thinned } from "#document/kept/fits";
 import { announce, notify } from "#document/notice";
 import type { CurveShape, Fit } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { openFit, plainName, running, shapeOf, shownFigures } from "../work/fitting";
+import { openFit, shapeOf, shownFigures } from "../work/fitting";
+import { plainName } from "../work/name";
 import { raw } from "../work/outline";
+import { running } from "../work/progress";
 import { source } from "../work/source";
+import { withinDone } from "../work/within";
 import { croppedPhotograph } from "./photograph";
 
 const store = new Fits();
@@ -39,18 +43,30 @@ async function after(work: Promise<unknown>, words = ""): Promise<boolean> {
 /** Reads what is there: another tab may have changed it. */
 export const readShelf = (): Promise<boolean> => after(Promise.resolve());
 
-/** The closed curve that is there, as a link holds it; null while there is none, or a better one is looked for. */
+/** The fit that is there, as a link holds it; null while there is none, or a better one is looked for. */
 const present = computed(() => {
-  const done = shownFigures.value;
-  const { numbers, smoothing, model } = fitDocument.value;
-  if (!done || running.value || model !== "closed") return null;
+  const fit = presentFit();
+  const done = fitDocument.value.model === "spline" ? withinDone.value : shownFigures.value;
+  if (!fit || !done || running.value) return null;
   try {
-    const fit: Fit = { mode: "outline", model, numbers, smoothing, curve: shapeOf(done.curve) };
     return { done, fragment: frond.encodeScene({ ...frond.defaultScene(), tool: "fit", fit }) };
   } catch {
     return null;
   }
 });
+
+function presentFit(): Fit | null {
+  const { numbers, bytes, smoothing, model } = fitDocument.value;
+  if (model === "spline") {
+    const done = withinDone.value;
+    if (!done) return null;
+    const spline = { name: plainName(source.value.name), word: done.word };
+    return { mode: "outline", model, numbers, smoothing, ...(bytes !== undefined && { bytes }), spline };
+  }
+  const done = shownFigures.value;
+  if (!done || model !== "closed") return null;
+  return { mode: "outline", model, numbers, smoothing, curve: shapeOf(done.curve) };
+}
 
 export const canKeep: ReadonlySignal<boolean> = computed(() => present.value !== null);
 /** Whether the fit that is there is on the shelf. */
@@ -78,12 +94,17 @@ export async function keepFit(): Promise<void> {
   await after(store.put(row), `${row.name} is kept under “Your fits”.`);
 }
 
-/** What a fragment holds, by the reader of links; null where that does not take it. */
-export function fitOf(fragment: string): (Fit & { curve: CurveShape }) | null {
+/**
+ * What a fragment holds, by the reader of links, and its curve as a closed one; null where that does not take it.
+ */
+export function fitOf(fragment: string): { fit: Fit; shape: CurveShape } | null {
   try {
     const { scene, problem } = frond.decodeScene(fragment);
-    const curve = scene.fit?.curve;
-    return problem || !scene.fit || !curve ? null : { ...scene.fit, curve };
+    const { fit } = scene;
+    if (problem || !fit) return null;
+    const { spline } = fit;
+    const shape = spline ? { name: spline.name, curve: polygonOf(spline.word) } : fit.curve;
+    return shape ? { fit, shape } : null;
   } catch {
     return null;
   }

@@ -10,6 +10,7 @@ import { cutting } from "../stage/layers";
 import { percent } from "../words";
 import { collage, collageOptions } from "../work/fitting";
 import { prepared } from "../work/outline";
+import { Within } from "./WithinPanel";
 
 /** What the outline is fitted with. */
 export function ModelPanel() {
@@ -30,6 +31,11 @@ export function ModelPanel() {
             description: "Knots, and edges that are straight or copies of arcs: closed by construction",
           },
           {
+            value: "spline",
+            label: "Within bytes",
+            description: "Corners and parabolas, as near as so many bytes allow",
+          },
+          {
             value: "collage",
             label: "As in the paper (collage)",
             description: "Cochran, Hart and Flynn, section 3.2",
@@ -42,6 +48,8 @@ export function ModelPanel() {
           Every edge is straight, or a smaller copy of another part of the outline. It has no gaps, however
           rough it is.
         </p>
+      ) : model === "spline" ? (
+        <Within />
       ) : (
         <Collage />
       )}

@@ -4,11 +4,14 @@ import fitCss from "../fit.module.css";
 import { croppedPhotograph, photographed } from "../kept/photograph";
 import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";
-import { bendPhotograph, use, waiting } from "../use";
-import { plainName, running, shownFigures, shownFit } from "../work/fitting";
+import { bendPhotograph, shownShape, use, waiting } from "../use";
+import { shownFigures, shownFit } from "../work/fitting";
 import { changeMask } from "../work/mask";
+import { plainName } from "../work/name";
+import { running } from "../work/progress";
 import { source } from "../work/source";
 import { stalk } from "../work/stalked";
+import { shownWithin } from "../work/within";
 
 /** Only what waits can be taken back. */
 const heldFor = (to: Use) => (waiting.value === to ? { pressed: true } : {});
@@ -16,8 +19,11 @@ const heldFor = (to: Use) => (waiting.value === to ? { pressed: true } : {});
 /** Where the fit goes from here. */
 export function UsePanel() {
   if (cutting.value) return null;
-  const closed = fitDocument.value.model === "closed";
-  const ready = closed ? shownFit.value !== null : shownFigures.value !== null;
+  const { model } = fitDocument.value;
+  const spline = model === "spline";
+  const closed = spline || model === "closed";
+  const fitted = spline ? shownWithin.value : shownFit.value;
+  const ready = closed ? fitted !== null : shownFigures.value !== null;
   return (
     <section class="stack" aria-label="Use it">
       <div class="section-head">
@@ -43,8 +49,8 @@ export function UsePanel() {
             disabled={!ready}
             description="The leaf, cut out along the curve, under the grid"
             onClick={() => {
-              const fit = shownFit.peek();
-              if (fit) void bendPhotograph(plainName(source.peek().name), fit.curve, croppedPhotograph());
+              const shape = shownShape();
+              if (shape) void bendPhotograph(plainName(source.peek().name), shape.curve, croppedPhotograph());
             }}
           >
             Bend its photograph
@@ -61,6 +67,12 @@ export function UsePanel() {
             Take off the stalk
           </Button>
         </div>
+      )}
+      {spline && (
+        <p class="hint">
+          Morphs and bends take corners alone: there its parabolas are short straight sides, which nobody
+          sees.
+        </p>
       )}
       {!closed && <p class="hint">The closed curve is what is morphed and bent: it has no gaps.</p>}
       <div class="row">

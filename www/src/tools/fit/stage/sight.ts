@@ -12,13 +12,14 @@ import { collage, collageOptions, shownFit } from "../work/fitting";
 import { masked, settings } from "../work/mask";
 import { frame, prepared, raw, ready } from "../work/outline";
 import { opened } from "../work/source";
+import { nodesOf, shownWithin } from "../work/within";
 import { cursor, hand, painting, radius, stroke } from "./brush";
 import { effectiveView, stageSize } from "./camera";
 import type { Sight } from "./draw";
 import { comparing, cutting, knotsShown, outlineShown, photoShown } from "./layers";
 
-/** Whether the closed curve is what is fitted. */
-const closed = computed(() => fitDocument.value.model === "closed");
+/** What is fitted. */
+const model = computed(() => fitDocument.value.model);
 
 /** Feature points of the paper's fit, when they are shown. */
 export const featurePoints = signal<Float64Array | null>(null);
@@ -27,7 +28,7 @@ export const featurePoints = signal<Float64Array | null>(null);
 export function watchFeatures(): () => void {
   return effect(() => {
     const outline = prepared.value;
-    if (!outline || closed.value || !knotsShown.value) return;
+    if (!outline || model.value !== "collage" || !knotsShown.value) return;
     const count = collageOptions.value.features;
     fitTask("features", { points: outline.points, count }, { lane: 1 }).then(
       (points) => {
@@ -65,6 +66,16 @@ function polyline(curve: Curve, plain: Float64Array, view: View): Float64Array {
 
 const NONE = new Float64Array();
 
+/** Of a fit within bytes, where they are shown. */
+const nodes = computed(() => {
+  const within = model.value === "spline" && knotsShown.value ? shownWithin.value : null;
+  try {
+    return within && nodesOf(within.word);
+  } catch {
+    return null;
+  }
+});
+
 /** What is painted exactly is seen by what it does. */
 const isHint = ({ exact }: Stroke) => !exact;
 
@@ -73,15 +84,18 @@ export const sight: ReadonlySignal<Sight> = computed(() => {
   const cut = cutting.value;
   const outline = prepared.value?.points ?? raw.value;
   const early = prepared.value ? null : ready.value;
-  const fit = closed.value ? (shownFit.value ?? (early && { curve: early, points: NONE })) : null;
-  const paper = !closed.value && collage.value?.of === prepared.value ? collage.value : null;
+  const what = model.value;
+  const fit = what === "closed" ? (shownFit.value ?? (early && { curve: early, points: NONE })) : null;
+  const within = what === "spline" ? shownWithin.value : null;
+  const paper = what === "collage" && collage.value?.of === prepared.value ? collage.value : null;
+  const own = fit || within || paper;
   const alone = comparing.value;
   const shown = !cut && !alone;
   const knots = fit?.curve.knots.flat();
-  const marks = closed.value ? (knots ? new Float64Array(knots) : null) : featurePoints.value;
+  const marks = what === "collage" ? featurePoints.value : knots ? new Float64Array(knots) : nodes.value;
   const paints = painting.value;
   const at = cursor.value;
-  const what = hand.value;
+  const brush = hand.value;
   return {
     photo:
       picture && (cut || photoShown.value || alone)
@@ -89,15 +103,19 @@ export const sight: ReadonlySignal<Sight> = computed(() => {
         : null,
     mask: cut && !alone ? masked.value : null,
     frame: frame.value,
-    outline: outline && (cut || alone || outlineShown.value || !(fit || paper)) ? outline : null,
-    filled: !cut && !picture && (alone || !(fit || paper)),
-    fit: shown && fit ? (grown.value ?? polyline(fit.curve, fit.points, effectiveView.value)) : null,
+    outline: outline && (cut || alone || outlineShown.value || !own) ? outline : null,
+    filled: !cut && !picture && (alone || !own),
+    fit: !shown
+      ? null
+      : fit
+        ? (grown.value ?? polyline(fit.curve, fit.points, effectiveView.value))
+        : (within?.points ?? null),
     copies: shown && fit ? copyPaths.value : null,
     collage: shown && paper ? paper.fit : null,
     marks: shown && knotsShown.value ? marks : null,
     strokes: paints
       ? [...settings.value.strokes.filter(isHint), ...(stroke.value ? [stroke.value] : [])]
       : [],
-    cursor: paints && at && what !== "move" ? { ...at, radius: radius.value, what } : null,
+    cursor: paints && at && brush !== "move" ? { ...at, radius: radius.value, what: brush } : null,
   };
 });

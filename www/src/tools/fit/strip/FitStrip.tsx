@@ -1,11 +1,22 @@
 import "#ui/strip/strip.css";
-import { changeFit, fitDocument } from "#document/fit";
+import { bytesOf, changeFit, fitDocument, withBytes } from "#document/fit";
 import { endGesture } from "#document/scene";
 import { NumberField } from "#ui/controls/NumberField";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
 import fitCss from "../fit.module.css";
-import { even, HIGH, LOW, numbersAt, placeOf } from "../numbers";
+import {
+  bytesAt,
+  even,
+  HIGH,
+  HIGH_BYTES,
+  LEAST_BYTES,
+  LOW,
+  LOW_BYTES,
+  MOST_BYTES,
+  numbersAt,
+  placeOf,
+} from "../numbers";
 import { collageOptions, LEAST_NUMBERS, MOST_NUMBERS } from "../work/fitting";
 import { CompareButton } from "./CompareButton";
 import { Layers } from "./Layers";
@@ -15,9 +26,58 @@ export function FitStrip() {
   return (
     <section class={`strip ${fitCss["fit-strip"]}`} aria-label="Size of the fit">
       <CompareButton />
-      {fitDocument.value.model === "closed" ? <Numbers /> : <Maps />}
+      <Size />
       {!narrow.value && <Layers />}
     </section>
+  );
+}
+
+function Size() {
+  switch (fitDocument.value.model) {
+    case "closed":
+      return <Numbers />;
+    case "spline":
+      return <Bytes />;
+    case "collage":
+      return <Maps />;
+  }
+}
+
+const BYTE_MARKS = [32, 50, 150, 500, 1500, 4000] as const;
+
+function Bytes() {
+  const bytes = bytesOf(fitDocument.value);
+  const change = (next: number) =>
+    changeFit((now) => (bytesOf(now) === next ? now : withBytes(now, next)), { gesture: "bytes" });
+  return (
+    <div class={fitCss["numbers"]}>
+      <NumberField
+        label="How many bytes"
+        value={bytes}
+        min={LEAST_BYTES}
+        max={MOST_BYTES}
+        whole
+        onChange={(next) => change(Math.round(next))}
+        onDone={endGesture}
+      />
+      <Slider
+        label="How many bytes"
+        value={placeOf(bytes)}
+        min={LOW_BYTES}
+        max={HIGH_BYTES}
+        step={0.1}
+        valueText={`${bytes} bytes`}
+        onChange={(place) => change(bytesAt(place))}
+        onDone={endGesture}
+      />
+      <p class={`${fitCss["fit-scale"]} number`} aria-hidden="true">
+        {BYTE_MARKS.map((n) => (
+          <span key={n} style={{ left: `${(100 * (placeOf(n) - LOW_BYTES)) / (HIGH_BYTES - LOW_BYTES)}%` }}>
+            {n}
+          </span>
+        ))}
+      </p>
+    </div>
   );
 }
 

@@ -6,7 +6,7 @@ import { opened } from "../work/source";
 
 /** What is drawn beside the fit. */
 export function Layers() {
-  const paper = fitDocument.value.model === "collage";
+  const { model } = fitDocument.value;
   return (
     <fieldset class={fitCss["layers"]}>
       <legend class="unseen">Shown</legend>
@@ -34,7 +34,7 @@ export function Layers() {
           knotsShown.value = on;
         }}
       >
-        {paper ? "Feature points" : "Knots"}
+        {{ closed: "Knots", spline: "Control points", collage: "Feature points" }[model]}
       </Switch>
     </fieldset>
   );

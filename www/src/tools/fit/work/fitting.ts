@@ -2,15 +2,19 @@
  * The fit of the outline: the latest that was asked for, the best so far, its figures, and what it is compared with.
  */
 import { batch, computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { changeFit, fitDocument, replaceFit } from "#document/fit";
+import { polygonOf } from "#document/curve/polygon";
+import { bytesOf, changeFit, fitDocument, replaceFit } from "#document/fit";
 import { announce, notify, wordsOf } from "#document/notice";
-import type { Curve, CurveShape, Fit } from "#wasm/api";
+import type { Curve, CurveShape, Fit, SplineShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
-import type { Collage, CollageOptions, Figures, FitStage, Method, Prepared, Rival } from "#workers/fit/curve";
+import type { Collage, CollageOptions, Figures, Method, Prepared, Rival } from "#workers/fit/curve";
 import { isStopped, Latest } from "#workers/lanes/latest";
+import { plainName } from "./name";
 import { polylineOf, prepared, ready, SEEDS, upToDate } from "./outline";
+import { cancelled, fail, problem, running, watched } from "./progress";
 import { former, type Origin, type Source, source, takeFormer, takeSource } from "./source";
+import { cameFrom, fitWithin, keepReached, sourceOf } from "./within";
 
 export const LEAST_NUMBERS = 12;
 export const MOST_NUMBERS = 2000;
@@ -29,20 +33,8 @@ export interface Fitted extends Best {
   bytes: number;
 }
 
-export interface Running {
-  stage: FitStage | "begin";
-  share: number;
-  /** Of the best so far, in percent of the diagonal. */
-  rms?: number | null;
-}
-
 export const best = signal<Best | null>(null);
 export const fitted = signal<Fitted | null>(null);
-/** Null while nothing is under way. */
-export const running = signal<Running | null>(null);
-/** Whether it was stopped before its end. */
-export const cancelled = signal(false);
-export const problem = signal<string | null>(null);
 const compared = signal<{ of: Prepared; numbers: number; list: readonly Rival[] } | null>(null);
 export const collage = signal<{ of: Prepared; options: CollageOptions; fit: Collage } | null>(null);
 /** Milliseconds from the request to the first fit and to the last: for the measurements. */
@@ -69,10 +61,13 @@ const comparisons = new WeakMap<Prepared, Map<number, readonly Rival[]>>();
 const own = new WeakMap<Curve, { of: Source; fitted: Fitted | null }>();
 /** What curves were fitted to that the shelf brings back. */
 const origins = new WeakMap<Curve, Origin>();
+/** The same of words. */
+const wordOrigins = new Map<string, Origin>();
 
 /** What is fitted, and into what. */
 const wanted = computed(() => {
   const { model, numbers } = fitDocument.value;
+  if (model === "spline") return JSON.stringify({ model, bytes: bytesOf(fitDocument.value) });
   return JSON.stringify(model === "closed" ? { model, numbers } : { model, ...collageOptions.value });
 });
 
@@ -80,7 +75,7 @@ const wanted = computed(() => {
 export function watchFit(): () => void {
   let timer: ReturnType<typeof setTimeout> | null = null;
   let seen: Prepared | null = null;
-  watched = true;
+  watched.value = true;
   const stopFit = effect(() => {
     const outline = prepared.value;
     wanted.value;
@@ -109,17 +104,55 @@ export function watchFit(): () => void {
       takeSource({ kind: "grown", name, grown: preset, seed: SEEDS[preset] });
     } else {
       const { numbers } = fitDocument.peek();
-      takeSource({ kind: "kept", name, curve, numbers, origin: origins.get(curve) ?? null });
+      takeSource({ kind: "kept", name, curve, word: null, numbers, origin: origins.get(curve) ?? null });
     }
     own.set(curve, { of: source.peek(), fitted: null });
   });
+  let word: string | undefined;
+  let first = true;
+  const stopWord = effect(() => {
+    const shape = fitDocument.value.spline;
+    const again = !first;
+    first = false;
+    if (shape?.word === word) return;
+    word = shape?.word;
+    if (shape) untracked(() => takeWord(shape, again));
+  });
   return () => {
-    watched = false;
+    watched.value = false;
     stopFit();
     stopLink();
+    stopWord();
     if (timer) clearTimeout(timer);
     // What is under way goes on: whoever comes back finds it done.
   };
+}
+
+/** A curve within bytes is there: a link or the shelf has brought it, or a step back or forth. */
+function takeWord({ name, word }: SplineShape, again: boolean): void {
+  const of = sourceOf(word);
+  if (of && (of === source.peek() || !again)) {
+    backTo(of);
+    return;
+  }
+  if (of && of === former.peek()) {
+    takeFormer();
+    return;
+  }
+  // The picture of a photograph is gone by now.
+  if (of && of.kind !== "picture") {
+    takeSource(of);
+    return;
+  }
+  try {
+    const numbers = bytesOf(fitDocument.peek());
+    const origin = wordOrigins.get(word) ?? null;
+    takeSource({ kind: "kept", name, curve: polygonOf(word), word, numbers, origin });
+    cameFrom(word, source.peek());
+  } catch (wrong) {
+    // Links are checked when they are read.
+    fail(wrong);
+  }
 }
 
 /** A fit of the shelf was opened, and that is undone or done again: what it was made from goes with it. */
@@ -130,15 +163,17 @@ function backTo(of: Source | undefined): void {
 }
 
 /** Takes a fit that was kept into the document: one undo step, and nothing is fitted anew. */
-export function openFit({ numbers, smoothing, curve }: Fit, origin: Origin | null): void {
+export function openFit({ numbers, bytes, smoothing, curve, spline }: Fit, origin: Origin | null): void {
   if (curve && origin) origins.set(curve.curve, origin);
-  changeFit((now) => ({
+  if (spline && origin) wordOrigins.set(spline.word, origin);
+  changeFit(({ curve: _curve, spline: _spline, bytes: _bytes, ...now }) => ({
     ...now,
     mode: "outline",
-    model: "closed",
+    model: spline ? "spline" : "closed",
     numbers,
     smoothing,
-    ...(curve && { curve }),
+    ...(bytes !== undefined && { bytes }),
+    ...(spline ? { spline } : curve && { curve }),
   }));
 }
 
@@ -149,9 +184,6 @@ export function fitAgain(): void {
   cache.get(outline)?.delete(fitDocument.peek().numbers);
   begin(outline, true);
 }
-
-/** Whether the tool is open: the document may be another one when it is not. */
-let watched = false;
 
 /** What is under way. */
 let asked: { of: Prepared; wanted: string } | null = null;
@@ -165,6 +197,10 @@ function begin(outline: Prepared, again = false): void {
   const { model, numbers } = fitDocument.peek();
   problem.value = null;
   cancelled.value = false;
+  if (model === "spline") {
+    void fitWithin(outline, signal, again);
+    return;
+  }
   if (model === "collage") {
     void fitCollage(outline, { ...collageOptions.peek() }, signal);
     return;
@@ -208,7 +244,7 @@ async function measure(done: Best, signal: AbortSignal): Promise<void> {
 /** The curve of a link, as long as nothing else is asked for. */
 function keptFit(outline: Prepared, numbers: number): Fitted | null {
   const now = source.peek();
-  if (now.kind !== "kept" || now.numbers !== numbers || now.origin) return null;
+  if (now.kind !== "kept" || now.word !== null || now.numbers !== numbers || now.origin) return null;
   const { curve } = now;
   const points = polylineOf(curve);
   if (!points) return null;
@@ -221,7 +257,7 @@ function keptCurve(numbers: number): Curve | null {
   const now = source.peek();
   const asked =
     now.kind === "kept" && now.numbers === numbers && now.origin?.smoothing === fitDocument.peek().smoothing;
-  return asked ? now.curve : null;
+  return asked && now.word === null ? now.curve : null;
 }
 
 /** The fit of the document, where it was made here of the very same outline. */
@@ -279,16 +315,16 @@ function put<T>(into: WeakMap<Prepared, Map<number, T>>, of: Prepared, numbers: 
   into.set(of, (into.get(of) ?? new Map<number, T>()).set(numbers, what));
 }
 
-/** The last fit is part of the document: a link opens it again. */
+/** The last fit is part of the document, in place of one within bytes: a link opens it again. */
 function keep(done: Fitted): void {
   const { curve } = done;
-  if (!watched) return;
+  if (!watched.peek()) return;
   const now = fitDocument.peek();
   // A link to a graph may have been followed meanwhile: it is not to be given a curve.
   if (now.mode !== "outline" || now.curve?.curve === curve) return;
   const shape = shapeOf(curve);
   own.set(shape.curve, { of: source.peek(), fitted: done });
-  replaceFit((now) => ({ ...now, curve: shape }));
+  replaceFit(({ spline: _, ...now }) => ({ ...now, curve: shape }));
 }
 
 /** A fit as a shape: one of the gallery by its name there. */
@@ -303,18 +339,6 @@ export function shapeOf(curve: Curve): CurveShape {
 
 function sameCurve(a: Curve, b: Curve): boolean {
   return a === b || JSON.stringify(a) === JSON.stringify(b);
-}
-
-/** Of a file without its ending, as long as links allow. */
-export function plainName(name: string): string {
-  return name.replace(/\.[a-z]{3,7}$/i, "").slice(0, 40) || "Leaf";
-}
-
-function fail(wrong: unknown): void {
-  batch(() => {
-    running.value = null;
-    problem.value = wordsOf(wrong);
-  });
 }
 
 /**
@@ -376,6 +400,10 @@ export function cancel(): void {
     cancelled.value = true;
   });
   announce("Stopped. The best so far is kept.");
+  if (fitDocument.peek().model === "spline") {
+    void keepReached(signal);
+    return;
+  }
   if (reached && reached.of === prepared.peek()) void measure(reached, signal);
 }
 

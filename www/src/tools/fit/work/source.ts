@@ -18,8 +18,18 @@ export type Source =
   | { kind: "grown"; name: string; grown: Grown; seed: number }
   | { kind: "picture"; name: string; picture: OpenedPicture }
   | { kind: "outlines"; name: string; outlines: ReadOutline[]; chosen: number }
-  /** The curve of the document is there, with the numbers that were asked for; of a link no more. */
-  | { kind: "kept"; name: string; curve: Curve; numbers: number; origin: Origin | null };
+  /**
+   * The curve of the document is there, with the numbers, or of a word the bytes, that were asked for; of a link no
+   * more.
+   */
+  | {
+      kind: "kept";
+      name: string;
+      curve: Curve;
+      word: string | null;
+      numbers: number;
+      origin: Origin | null;
+    };
 
 /** What a fit was made from, where it was kept with it. */
 export interface Origin {

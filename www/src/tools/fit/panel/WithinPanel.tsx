@@ -1,0 +1,96 @@
+import { bytesOf, changeFit, fitDocument, withBytes } from "#document/fit";
+import { endGesture } from "#document/scene";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
+import type { ByteRival } from "#workers/fit/curve";
+import fitCss from "../fit.module.css";
+import { LEAST_BYTES, MOST_BYTES } from "../numbers";
+import { BYTE_METHODS, compareBytes } from "../words";
+import { source } from "../work/source";
+import { byteRivals, shownWithin, type WithinDone, withinDone } from "../work/within";
+import { Bars, Fact, Table } from "./facts";
+
+const USUAL = [50, 150, 500] as const;
+
+/** How many bytes there are. */
+export function Within() {
+  const bytes = bytesOf(fitDocument.value);
+  const change = (next: number) => changeFit((now) => withBytes(now, next), { gesture: "bytes" });
+  return (
+    <div class="stack">
+      <div class="row">
+        <span class="row-name" aria-hidden="true">
+          Bytes
+        </span>
+        <span class={fitCss["bytes"]}>
+          <Segmented
+            label="Bytes"
+            value={String(bytes)}
+            options={USUAL.map((few) => ({ value: String(few), label: String(few) }))}
+            onChange={(next) => {
+              change(Number(next));
+              endGesture();
+            }}
+          />
+          <NumberField
+            label="Any number of bytes"
+            value={bytes}
+            min={LEAST_BYTES}
+            max={MOST_BYTES}
+            whole
+            terse
+            onChange={(next) => change(Math.round(next))}
+            onDone={endGesture}
+          />
+        </span>
+      </div>
+      <p class="hint">
+        A curve of corners and parabolas, as near as so many bytes allow. The bytes are all of it: a link
+        holds them, and nothing else of the fit. It has no copies of its parts.
+      </p>
+    </div>
+  );
+}
+
+/** How near it is, what it takes, and how near others come with as many bytes. */
+export function WithinFigures() {
+  const fit = shownWithin.value;
+  const done = withinDone.value;
+  const current = done && fit && done.word === fit.word ? done : null;
+  if (!fit) return <p class="hint">The first fit comes in a moment.</p>;
+  return (
+    <>
+      {current?.figures ? (
+        <Table figures={current.figures} />
+      ) : current && source.value.kind === "kept" ? (
+        <p class="hint">
+          This fit came without the outline that it was made from. Choose the photograph again to see how near
+          it is, or ask for other bytes: then the curve itself is fitted anew.
+        </p>
+      ) : null}
+      {current && (
+        <dl class={`${fitCss["facts"]} number`} data-testid="within-facts">
+          <Fact name="Bytes, all in all">{current.bytes.toLocaleString("en-GB")}</Fact>
+          <Fact name="Letters in a link">{current.word.length.toLocaleString("en-GB")}</Fact>
+          <Fact name="Corners">{current.corners}</Fact>
+          <Fact name="Parabolas">{current.bends}</Fact>
+        </dl>
+      )}
+      {current?.figures && <Others own={current} rms={current.figures.rms} all={byteRivals.value} />}
+    </>
+  );
+}
+
+function Others({ own, rms, all }: { own: WithinDone; rms: number; all: readonly ByteRival[] | null }) {
+  if (!all) return <p class="hint">Others of as many bytes are being fitted …</p>;
+  return (
+    <Bars
+      caption={`Error of ${own.asked.toLocaleString("en-GB")} bytes, spent in other ways`}
+      rows={[
+        { name: "Corners and parabolas (Frond)", about: "This fit", rms, own: true },
+        ...all.map(({ method, rms }) => ({ ...BYTE_METHODS[method], rms, own: false })),
+      ]}
+      words={compareBytes(rms, all)}
+    />
+  );
+}

@@ -1,0 +1,94 @@
+/** What is told of a fit, in rows and bars. */
+
+import { fixed } from "#format/numbers";
+import type { Figures } from "#workers/fit/curve";
+import fitCss from "../fit.module.css";
+import { percent, signed } from "../words";
+
+export function Fact({ name, children }: { name: string; children: string | number }) {
+  return (
+    <div>
+      <dt>{name}</dt>
+      <dd>{children}</dd>
+    </div>
+  );
+}
+
+export function Table({ figures }: { figures: Figures }) {
+  const { rms, hausdorff, lengthRatio, fitSlope, outlineSlope } = figures;
+  return (
+    <dl class={`${fitCss["facts"]} number`} data-testid="figures">
+      <div title="Root mean square distance from the outline to the fit, in percent of the diagonal of its box">
+        <dt>Error (RMS)</dt>
+        <dd data-testid="rms">{percent(rms)}</dd>
+      </div>
+      <div title="No point of the outline or of the fit is farther from the other">
+        <dt>Farthest (Hausdorff)</dt>
+        <dd>{percent(hausdorff)}</dd>
+      </div>
+      <div title="The fit's length over the outline's">
+        <dt>Length</dt>
+        <dd>{`${fixed(100 * lengthRatio, 1)}%`}</dd>
+      </div>
+      <div title="Box dimension between 1/64 and 1/256 of the diagonal: leaf, fit, and the difference dD">
+        <dt>
+          Dimension <span class="symbol">D</span>
+        </dt>
+        <dd>{`${fixed(outlineSlope, 3)} / ${fixed(fitSlope, 3)} (${signed(fitSlope - outlineSlope)})`}</dd>
+      </div>
+    </dl>
+  );
+}
+
+export interface Bar {
+  name: string;
+  about: string;
+  rms: number;
+  /** Difference in box dimension, where that is told. */
+  rough?: string;
+  own: boolean;
+}
+
+/** Errors as bars, the nearest on top; and in words. */
+export function Bars({ caption, rows, words }: { caption: string; rows: readonly Bar[]; words: string }) {
+  const sorted = [...rows].sort((a, b) => a.rms - b.rms);
+  const most = Math.max(...rows.map((row) => row.rms));
+  const rough = rows.some((row) => row.rough !== undefined);
+  return (
+    <div class={fitCss["chart"]}>
+      <table class="number" data-testid="chart">
+        <caption>{caption}</caption>
+        <thead>
+          <tr>
+            <th scope="col">Way</th>
+            <th scope="col">RMS</th>
+            {rough && (
+              <th scope="col" title="Difference in box dimension">
+                dD
+              </th>
+            )}
+          </tr>
+        </thead>
+        <tbody>
+          {sorted.map((row) => (
+            <tr key={row.name} class={row.own ? fitCss["own"] : ""} title={row.about}>
+              <th scope="row">
+                {row.name}
+                <span
+                  class={fitCss["bar"]}
+                  aria-hidden="true"
+                  style={{ "--share": String(row.rms / most) }}
+                />
+              </th>
+              <td>{percent(row.rms)}</td>
+              {rough && <td>{row.rough}</td>}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <p class="hint" data-testid="compare">
+        {words}
+      </p>
+    </div>
+  );
+}
