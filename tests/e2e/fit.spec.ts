@@ -46,6 +46,31 @@ test("what is seen first is a leaf with its fit, and the slider changes it", asy
   await tool.fitted();
 });
 
+test("a fit within so many bytes is told beside others of as many, and a link holds its bytes", async ({
+  page,
+}) => {
+  const tool = new FitTool(page);
+  await tool.open();
+  await tool.few(24);
+  await tool.fitted();
+  await page.getByRole("radio", { name: "Within bytes" }).check({ force: true });
+  await page.getByRole("radio", { name: "50", exact: true }).check({ force: true });
+  await expect(tool.status).toHaveText(/off, (4|50?)\d? bytes$/, { timeout: 60_000 });
+  await expect(page.getByTestId("chart")).toContainText("Fourier", { timeout: 60_000 });
+  const { fit } = await tool.scene();
+  expect(fit).toMatchObject({ model: "spline", bytes: 50, spline: { name: "Maple-like leaf" } });
+  expect(fit?.curve).toBeUndefined();
+  const word = fit?.spline?.word ?? "";
+  expect(word.length).toBeLessThanOrEqual(67);
+  await expect.poll(() => page.url()).toContain(`&spline=${word}`);
+  await page.reload();
+  // Nothing is fitted anew: of what it was made from nothing is there.
+  await expect(tool.status).toHaveText(/^\d\d bytes$/);
+  expect((await tool.scene()).fit?.spline?.word).toBe(word);
+  await page.getByRole("button", { name: "Bend it" }).click();
+  await expect.poll(() => page.url()).toContain("&curve-a=spline");
+});
+
 test("each copy is seen with its arc, by keys and by pointer, and the curve grows out of its knots", async ({
   page,
 }) => {

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Figures } from "#workers/fit/curve";
-import { compareWords, percent, roughWords, signed } from "./words";
+import { compareBytes, compareWords, percent, roughWords, signed } from "./words";
 
 const figures = (rms: number): Figures => ({
   rms,
@@ -24,6 +24,17 @@ test("the comparison names the best of the others, and is fair to it", () => {
   expect(compareWords(figures(0.119), all)).toMatch(/^About as near/);
   expect(compareWords(figures(0.2), all)).toMatch(/polyline, best corners is nearer: 0\.120%/);
   expect(compareWords(figures(0.2), [])).toBe("");
+});
+
+test("so is that of bytes", () => {
+  const points = new Float64Array();
+  const all = [
+    { method: "bezier", rms: 0.2, points },
+    { method: "squares", rms: 0.12, points },
+  ] as const;
+  expect(compareBytes(0.1, all)).toBe("1.2 times as near as the best of the others, polyline, best corners.");
+  expect(compareBytes(0.12, all)).toMatch(/^About as near/);
+  expect(compareBytes(0.2, all)).toMatch(/nearer: 0\.120%/);
 });
 
 test("figures have digits that say something, and none lies", () => {
