@@ -1,5 +1,5 @@
-//! Other ways to spend so many bytes on an outline, each on the grid by which it is nearest and coded as well as our own
-//! curves.
+//! Other ways to spend so many bytes on an outline, each on the grid by which it is nearest and coded as well as our
+//! own curves.
 //!
 //! Of polylines all bytes are those that are written, in the form of a [`Spline`]. Of the others bits are what the laws
 //! of their codes say, to which an arithmetic coder comes within some bytes; the width of their grid is not counted.

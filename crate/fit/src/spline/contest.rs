@@ -81,8 +81,8 @@ impl Contest {
         Some(many)
     }
 
-    /// The polygon on the finest grid on which it fits, and on the next two whose widths are powers of two: drawings lie
-    /// on such grids.
+    /// The polygon on the finest grid on which it fits, and on the next two whose widths are powers of two: drawings
+    /// lie on such grids.
     pub fn show_polygon(&mut self, corners: &[DVec2]) {
         let diagonal = self.outline.diagonal();
         let on = |grid: f64| {

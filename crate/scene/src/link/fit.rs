@@ -6,9 +6,10 @@
 //! fit=outline:spline,260,0&bytes=50&spline=AaBb..&spline-name=My%20leaf&curve-a=spline&curve-b=curve-a
 //! ```
 //!
-//! The word of a curve is [`ClosedCurve::to_text`], that of a spline [`Spline::to_text`](frond_fit::Spline::to_text); a
-//! piece of a graph is a, b, c, d, e and its domain. A curve that was taken from the fit of the same link, or is that of
-//! the other end, is not written twice: `fitted`, `spline` and `curve-a` stand for it.
+//! The word of a curve is [`ClosedCurve::to_text`], that of a spline
+//! [`Spline::to_text`](frond_fit::Spline::to_text); a piece of a graph is a, b, c, d, e and its domain. A curve that
+//! was taken from the fit of the same link, or is that of the other end, is not written twice: `fitted`, `spline` and
+//! `curve-a` stand for it.
 
 use std::fmt::Write as _;
 

@@ -64,9 +64,9 @@ pub fn unpack_spline(
     ]))
 }
 
-/// The same as a closed curve of corners alone, which morphs and bends take: parabolas become short straight sides, which
-/// leave them by 1/2000 of the diagonal and 1/8 of a step of the grid at most, or by more where that would be more than
-/// 4096 corners.
+/// The same as a closed curve of corners alone, which morphs and bends take: parabolas become short straight sides,
+/// which leave them by 1/2000 of the diagonal and 1/8 of a step of the grid at most, or by more where that would be
+/// more than 4096 corners.
 #[wasm_bindgen(js_name = splineCurve, unchecked_return_type = "Curve")]
 pub fn spline_curve(
     #[wasm_bindgen(unchecked_param_type = "string | Uint8Array")] packed: JsValue,

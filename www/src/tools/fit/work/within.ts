@@ -1,4 +1,4 @@
-/** The fit by corners and parabolas within so many bytes: the best so far, its figures, and what it is compared with. */
+/** The fit by corners and parabolas within so many bytes: the best so far, and what it is compared with. */
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
 import { polygonOf } from "#document/curve/polygon";
 import { bytesOf, fitDocument, replaceFit } from "#document/fit";
