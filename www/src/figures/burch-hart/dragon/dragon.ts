@@ -14,7 +14,7 @@ export const DRAGONS: readonly { value: DragonId; label: string; about: string }
   {
     value: "dragon-3",
     label: "Heighway’s",
-    about: "Heighway’s dragon of two maps, written with three: w₁, w₂w₁, w₂w₂",
+    about: "Heighway’s dragon of two maps, written with three: f₁, f₂f₁, f₂f₂",
   },
   {
     value: "terdragon",

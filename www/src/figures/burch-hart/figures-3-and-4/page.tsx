@@ -13,6 +13,7 @@ import { VerdictChip } from "../../kit/frame/verdict";
 import { type Breakage, breakage, shareWords, stretchWords } from "../../kit/maps/breakage";
 import { determinant, gasket, HEIGHT, turnedGasket } from "../../kit/maps/families";
 import { boxAround, determinants, type Ends, framesAlong, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
+import { tex } from "../../kit/notation/tex";
 import { Picture } from "../../kit/picture/picture";
 import { Strip, type StripFrame } from "../../kit/picture/stills";
 import { Time, useTime } from "../../kit/time/time";
@@ -70,9 +71,15 @@ export function Page(heading: Heading) {
       }
       found={<Found linear={linear} polar={polar} others={[middle, right]} />}
       parameters={[
-        { name: "First shape, map 1", value: "−½ x (turned by 180°)" },
-        { name: "Last shape, map 1", value: "½ x" },
-        { name: "Maps 2 and 3 of both", value: "½ x + (½, 0) and ½ x + (¼, √3/4)" },
+        { name: "First shape, map 1", value: [tex`f_1(x) = -\tfrac12 x`, ", turned by 180°"] },
+        { name: "Last shape, map 1", value: [tex`f_1(x) = \tfrac12 x`] },
+        {
+          name: "Maps 2 and 3 of both",
+          value: [
+            tex`f_2(x) = \tfrac12 x + (\tfrac12, 0)`,
+            tex`f_3(x) = \tfrac12 x + (\tfrac14, \tfrac{\sqrt{3}}{4})`,
+          ],
+        },
         { name: "Path", value: "u = v = t, straight" },
         { name: "Frames in a strip", value: String(FRAMES) },
         { name: "Resolution of the verdicts", symbol: "ε", value: "1/600 of the shape" },

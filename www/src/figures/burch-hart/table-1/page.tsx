@@ -61,7 +61,10 @@ export function Page(heading: Heading) {
       }
       found={<Found rows={rows} done={measured.state === "done"} />}
       parameters={[
-        { name: "Maps", value: "r x + (1 − r) c, c the corners of a triangle" },
+        {
+          name: "Maps",
+          value: [tex`f_i(x) = r x + (1 - r)\, c_i`, ", the ", tex`c_i`, " being the corners of a triangle"],
+        },
         { name: "Points of the chaos game", symbol: "n", value: grouped },
         { name: "Chances of the maps", value: "⅓ each" },
         { name: "Seeds", value: `${SEED} to ${SEED + WINDOWS - 1}, one a window` },

@@ -45,7 +45,7 @@ export function Page(heading: Heading) {
       exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
-        { name: "A throw towards corner c", value: "½ x + ½ c" },
+        { name: "A throw towards corner i", value: [tex`f_i(x) = \tfrac12 x + \tfrac12 c_i`] },
         { name: "Corners", symbol: tex`c_i`, value: "those of a triangle of side 1" },
         { name: "First point", value: "the middle of the triangle" },
         { name: "Chance of each corner", value: "⅓" },

@@ -65,7 +65,10 @@ export function Page(heading: Heading) {
           value: [tex`f_i(x) = \frac{1}{2} x + \frac{1}{2} c_i`, ", the ", tex`c_i`, " being its 4 corners"],
         },
         { name: "Their dimensions", value: "log 20 / log 3 = 2.727 and log 4 / log 2 = 2" },
-        { name: "The shadow of r x + t", value: "r P(x) + P(t), P leaves out the depth" },
+        {
+          name: "The shadow of a map",
+          value: [tex`P(r x + t) = r P(x) + P(t)`, ", where ", tex`P`, " leaves out the depth"],
+        },
       ]}
       sources={
         <>

@@ -9,6 +9,7 @@ import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { determinant, gasket, turnedGasket } from "../../kit/maps/families";
 import { boxAround, determinants, type Ends, mapsAt } from "../../kit/maps/morphs";
+import { tex } from "../../kit/notation/tex";
 import { Picture } from "../../kit/picture/picture";
 import { Time, useTime } from "../../kit/time/time";
 import { ChoiceQuestion } from "../frame/choice-question";
@@ -61,8 +62,17 @@ export function Page(heading: Heading) {
       parameters={[
         { name: "The map above", value: "scale ½, from a quarter turn to none" },
         { name: "The map in the question", value: "scale ½, from a half turn to none" },
-        { name: "Half-way, a quarter turn, number by number", value: "scale 0.354, which is ½ · √½" },
-        { name: "Maps 2 and 3 of the shape", value: "½ x + (½, 0) and ½ x + (¼, √3/4)" },
+        {
+          name: "Half-way, a quarter turn, number by number",
+          value: ["scale 0.354, which is ", tex`\tfrac12 \sqrt{\tfrac12}`],
+        },
+        {
+          name: "Maps 2 and 3 of the shape",
+          value: [
+            tex`f_2(x) = \tfrac12 x + (\tfrac12, 0)`,
+            tex`f_3(x) = \tfrac12 x + (\tfrac14, \tfrac{\sqrt{3}}{4})`,
+          ],
+        },
       ]}
       sources={
         <p>

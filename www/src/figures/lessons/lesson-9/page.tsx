@@ -13,6 +13,7 @@ import { mapsOf } from "../../kit/locus/set-m";
 import { HEIGHT, unevenGasket } from "../../kit/maps/families";
 import { boxAround } from "../../kit/maps/morphs";
 import { type Apart, distances, spanningTree } from "../../kit/maps/pieces";
+import { tex } from "../../kit/notation/tex";
 import { Drawn, middles, PieceNames, type Place, Span } from "../../kit/picture/annotated";
 import { type Field, list, number, oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
@@ -55,11 +56,14 @@ export function Page(heading: Heading) {
       exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
-        { name: "Two pieces", value: "s z − 1 and s z + 1, s = ½ + ½i" },
+        {
+          name: "Two pieces",
+          value: [tex`f_1(z) = s z - 1`, tex`f_2(z) = s z + 1`, tex`s = \tfrac12 + \tfrac12 i`],
+        },
         { name: "Three pieces", value: "towards the corners of a triangle of side 1" },
         { name: "Their scales above", value: ALONE.map((r) => fixed(r)).join(", ") },
         { name: "Their scales in the question", value: THREE.map((r) => fixed(r)).join(", ") },
-        { name: "Distances", value: "by splitting pairs of pieces, to 10⁻⁴" },
+        { name: "Distances", value: ["by splitting pairs of pieces, to ", tex`10^{-4}`] },
       ]}
       sources={
         <p>
