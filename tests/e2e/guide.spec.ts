@@ -22,6 +22,9 @@ test("a first visit moves a little and says what it is, once", async ({ page }) 
   await expect.poll(() => t(page), { timeout: 20_000 }).toBeGreaterThan(0.38);
   await expect(page.getByRole("button", { name: "Play" })).toBeVisible();
   expect(await t(page)).toBeLessThan(0.6);
+  await expect(welcome.getByRole("status")).toHaveText(
+    /^It stopped at 4\d% of the way: press play to go on\.$/,
+  );
   await welcome.getByRole("button", { name: "Close" }).click();
   await expect(welcome).toHaveCount(0);
   await page.goto("about:blank");
@@ -30,16 +33,49 @@ test("a first visit moves a little and says what it is, once", async ({ page }) 
   await expect(welcome).toHaveCount(0);
 });
 
-test("whoever wants less motion sees none, and who follows a link comes for that", async ({ page }) => {
+test("whoever wants less motion sees none, and who follows a link is told what it is", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   await visitFirst(page);
   await expect(page.getByRole("complementary", { name: "Welcome" })).toBeVisible();
   expect(await t(page)).toBe(0);
   await page.evaluate(() => sessionStorage.removeItem("visited"));
   await page.goto("about:blank");
-  await page.goto("./#a=koch&b=koch");
+  await page.goto("./#a=koch&b=gasket&t=0.3");
+  await expect(page.getByRole("complementary", { name: "Welcome" })).toContainText("turns into Gasket.");
   await page.evaluate(() => window.frond?.idle());
-  await expect(page.getByRole("complementary", { name: "Welcome" })).toHaveCount(0);
+  expect(await t(page)).toBe(0.3);
+  // Its steps are about what Frond begins with, and what was sent is there to go back to.
+  await page.getByRole("button", { name: "Show me round" }).click();
+  await expect(page.getByRole("heading", { name: "Press play" })).toBeFocused();
+  await expect(page.getByRole("button", { name: /^Shape A: Dragon of three/ })).toBeVisible();
+  await page.goBack();
+  await expect(page.getByRole("button", { name: /^Shape A: Koch/ })).toBeVisible();
+});
+
+test("the word of welcome lies over nothing", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  for (const [width, height] of [
+    [390, 844],
+    [844, 390],
+    [1280, 800],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await visitFirst(page);
+    const welcome = page.getByRole("complementary", { name: "Welcome" });
+    const box = await welcome.boundingBox();
+    if (!box) throw new Error("nobody is welcomed");
+    expect(box.x + box.width).toBeLessThanOrEqual(width);
+    expect(box.y + box.height).toBeLessThanOrEqual(height);
+    for (const part of [".stage", ".time", ".side", ".header"]) {
+      const other = await page.locator(part).boundingBox();
+      if (!other) throw new Error(`there is no ${part}`);
+      const across = Math.min(box.x + box.width, other.x + other.width) - Math.max(box.x, other.x);
+      const down = Math.min(box.y + box.height, other.y + other.height) - Math.max(box.y, other.y);
+      expect(Math.min(across, down), `${part} at ${width} x ${height}`).toBeLessThanOrEqual(0.5);
+    }
+    await page.evaluate(() => sessionStorage.removeItem("visited"));
+    await page.goto("about:blank");
+  }
 });
 
 test("the round leads over the real controls, by keyboard, and goes on where it was left", async ({

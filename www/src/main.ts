@@ -10,7 +10,6 @@ import { link } from "./shell/actions";
 import { App, fetchAhead } from "./shell/app";
 import { installHook } from "./shell/hook";
 import { readParameters } from "./shell/parameters";
-import { playOnce } from "./shell/tools";
 import { reportTrouble, showFailure } from "./shell/trouble";
 import { whenFirstPicture } from "./stage/first-picture";
 import { adoptPath, watchAutomaticPath } from "./tools/morph/locus/path/automatic";
@@ -71,7 +70,13 @@ async function begin(root: HTMLElement): Promise<void> {
       () => undefined,
     );
   }
-  if (parameters.play) playOnce();
+  const { play } = parameters;
+  if (play) {
+    import("./shell/moving").then(
+      ({ moveBySelf }) => moveBySelf(play),
+      () => undefined,
+    );
+  }
 }
 
 const root = document.getElementById("app");

@@ -7,11 +7,11 @@ import { exportOpen } from "#film/open";
 import type { Still } from "#film/subject";
 import { escaped } from "#format/html";
 import { Button } from "#ui/controls/Button";
-import { Switch } from "#ui/controls/Switch";
 import { Dialog } from "#ui/overlay/Dialog";
 import { QrCode } from "#ui/overlay/QrCode";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { link } from "./actions";
+import { AUTOPLAY, type Moves } from "./publish/folder";
 import { Publish } from "./publish/Publish";
 import css from "./share.module.css";
 import { openedTool } from "./tools";
@@ -20,6 +20,13 @@ const STARTS = [
   { value: "here", label: "Where it stands" },
   { value: "first", label: "At the beginning" },
 ] as const;
+
+const MOVES: readonly { value: Moves; label: string; description: string }[] = [
+  { value: "once", label: "Moves once", description: "There and back, and ends as it is sent" },
+  { value: "on", label: "Plays on", description: "Until somebody stops it" },
+  { value: "still", label: "Stands still", description: "Until somebody presses play" },
+];
+const QUERY: Record<Moves, string> = { once: "?play=once", on: "?play", still: "" };
 
 /** From one of the two sheets to the other, or out: a sheet that has gone already closes nothing. */
 const leave = (from: "share" | "publish", to: "share" | null) => () => {
@@ -30,10 +37,10 @@ const close = leave("share", null);
 /** What somebody is sent: a link, copied at once, as a QR code, or by what the system has for it. */
 export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefined }) {
   const [start, setStart] = useState<(typeof STARTS)[number]["value"]>("here");
-  const [plays, setPlays] = useState(false);
+  const [moves, setMoves] = useState<Moves>(openedTool().tool?.timeline ? "once" : "still");
   const [told, setTold] = useState("");
   const [seen, setSeen] = useState("");
-  const address = addressWith(start, plays);
+  const address = addressWith(start, moves);
   // biome-ignore lint/correctness/useExhaustiveDependencies: once, for the link as it is first
   useEffect(() => {
     // The address bar has the same.
@@ -50,7 +57,7 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
     );
   }
   if (exportOpen.value === "publish" && still)
-    return <Publish address={address} plays={plays} still={still} onClose={leave("publish", "share")} />;
+    return <Publish address={address} moves={moves} still={still} onClose={leave("publish", "share")} />;
   return (
     <Dialog title="Share" about={seen} onClose={close}>
       <div class={css["share"]}>
@@ -80,16 +87,15 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
                 setTold(CHANGED);
               }}
             />
-            <Switch
-              checked={plays}
-              description="But not for those who asked their system for less motion"
+            <ChoiceRow
+              label="When it is opened"
+              options={MOVES}
+              value={moves}
               onChange={(next) => {
-                setPlays(next);
+                setMoves(next);
                 setTold(CHANGED);
               }}
-            >
-              Plays when it is opened
-            </Switch>
+            />
           </>
         )}
         <QrCode address={address} />
@@ -104,7 +110,7 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
           <Button
             icon="copy"
             description="Two lines for a page of one's own: a script, and the element that shows this"
-            onClick={() => void copy(elementOf(address)).then(setTold)}
+            onClick={() => void copy(elementOf(address, moves)).then(setTold)}
           >
             Copy element
           </Button>
@@ -145,7 +151,7 @@ async function seenWords(): Promise<string> {
     : "Whoever opens the link sees the same picture.";
 }
 
-function addressWith(start: "here" | "first", plays: boolean): string | null {
+function addressWith(start: "here" | "first", moves: Moves): string | null {
   const { deform, space } = scene.peek();
   const first = {
     t: 0,
@@ -154,7 +160,7 @@ function addressWith(start: "here" | "first", plays: boolean): string | null {
   };
   const fragment = link.fragment(start === "first" ? first : {});
   if (fragment === null) return null;
-  return `${location.origin}${location.pathname}${plays ? "?play" : ""}#${fragment}`;
+  return `${location.origin}${location.pathname}${QUERY[moves]}#${fragment}`;
 }
 
 /** The document in a frame of another page: what stands in the address goes on in `embed.html`. */
@@ -165,10 +171,9 @@ export function frameOf(address: string): string {
 }
 
 /** The same as an element, with the script that defines it. */
-export function elementOf(address: string): string {
+export function elementOf(address: string, moves: Moves): string {
   const script = new URL("frond-view.js", address).href;
-  const plays = new URL(address).searchParams.has("play") ? " autoplay loop" : "";
-  return `<script src="${escaped(script)}"></script>\n<frond-view src="${escaped(address)}" controls${plays}></frond-view>`;
+  return `<script src="${escaped(script)}"></script>\n<frond-view src="${escaped(address)}" controls${AUTOPLAY[moves]}></frond-view>`;
 }
 
 /** What came of it, in words. */

@@ -8,8 +8,8 @@ export interface Parameters {
   workers: number | null;
   /** What decides loci besides the workers. */
   card: CardChoice;
-  /** Whether what moves is to play at once. */
-  play: boolean;
+  /** Whether what moves is to play at once, on and on or there and back. */
+  play: "on" | "once" | null;
 }
 
 const BACKENDS: readonly string[] = ["webgpu", "webgl2", "canvas"];
@@ -20,8 +20,8 @@ const cardBeside = (backend: string): CardChoice =>
   backend === "webgl2" || backend === "canvas" ? "none" : "auto";
 
 /**
- * `?play`: as somebody shared it. `?backend=webgl2`, `?workers=0`, `?card=none`: for trying the page as another machine
- * would run it.
+ * `?play` and `?play=once`: as somebody shared it. `?backend=webgl2`, `?workers=0`, `?card=none`: for trying the page
+ * as another machine would run it.
  */
 export function readParameters(search: string): Parameters {
   const query = new URLSearchParams(search);
@@ -30,7 +30,7 @@ export function readParameters(search: string): Parameters {
   return {
     backend: BACKENDS.includes(backend) ? (backend as PainterBackend) : "auto",
     workers: /^[0-8]$/.test(query.get("workers") ?? "") ? Number(query.get("workers")) : null,
-    play: query.has("play"),
+    play: query.has("play") ? (query.get("play") === "once" ? "once" : "on") : null,
     card: CARDS.includes(card) ? (card as CardChoice) : cardBeside(backend),
   };
 }

@@ -2,7 +2,6 @@
 import { effect, signal } from "@preact/signals";
 import { keepToo } from "#document/keep";
 import { loadAgain, notify, wordsOf } from "#document/notice";
-import { reducedMotion } from "#document/preferences";
 import { tool as opened, openTool } from "#document/tool";
 import type { Tool, ToolEntry } from "#stage/tool";
 import { deform } from "#tools/deform/entry";
@@ -51,18 +50,5 @@ export function watchTools(): () => void {
       (problem) =>
         notify({ kind: "error", text: `${entry.missing}. ${wordsOf(problem)}`, action: loadAgain }),
     );
-  });
-}
-
-/** Plays what moves as soon as its tool is there; not for those who want less motion. */
-export function playOnce(): void {
-  if (reducedMotion.peek()) return;
-  const stop = effect(() => {
-    const { tool } = openedTool();
-    if (!tool) return;
-    queueMicrotask(() => {
-      stop();
-      tool.timeline?.toggle();
-    });
   });
 }

@@ -4,13 +4,13 @@ import { playing } from "#document/playback";
 import { scene } from "#document/scene";
 import { tool } from "#document/tool";
 import { evidenceOpen } from "#stage/evidence/shown";
-import { Button, IconButton } from "#ui/controls/Button";
+import { Button } from "#ui/controls/Button";
 import { Icon } from "#ui/controls/Icon";
 import css from "./guide.module.css";
-import { at, goRound, goTo, greeted, greeting, leave } from "./state";
+import { at, goTo, greeted, greeting, leave } from "./state";
 import { type Doing, STEPS } from "./steps";
 
-/** The sentence of a first visit, and the round. */
+/** The round. */
 export function Guide() {
   useEffect(
     () =>
@@ -23,25 +23,7 @@ export function Guide() {
     [],
   );
   if (route.value.page !== "studio") return null;
-  if (at.value !== null) return tool.value === "morph" ? <Round key={at.value} number={at.value} /> : null;
-  return greeting.value && tool.value === "morph" ? <Greeting /> : null;
-}
-
-function Greeting() {
-  return (
-    <aside class={`${css["card"]} ${css["greeting"]}`} aria-label="Welcome">
-      <p>Frond turns one fractal into another without letting it fall apart.</p>
-      <div class={css["ways"]}>
-        <Button kind="primary" onClick={goRound}>
-          Show me round
-        </Button>
-        <a class="button" href="#learn">
-          Learn
-        </a>
-      </div>
-      <IconButton class={css["close"]} icon="close" label="Close" kind="quiet" onClick={greeted} />
-    </aside>
-  );
+  return at.value !== null && tool.value === "morph" ? <Round key={at.value} number={at.value} /> : null;
 }
 
 const now = (): Doing => ({ scene: scene.value, playing: playing.value, evidence: evidenceOpen.value });

@@ -1,25 +1,45 @@
 /** The guide: begun when all else is there. */
 import { effect } from "@preact/signals";
 import { h, render } from "preact";
+import { route } from "#document/link";
 import { play, playing } from "#document/playback";
 import { reducedMotion } from "#document/preferences";
 import { lastStep, scene } from "#document/scene";
+import { inHand, moveBySelf } from "../moving";
+import { readParameters } from "../parameters";
 import { Guide } from "./Guide";
+import css from "./guide.module.css";
 import { seen } from "./seen";
-import { greeting } from "./state";
+import { greeting, rested } from "./state";
 import { STEPS } from "./steps";
+import { Welcome } from "./Welcome";
 
 /** How far the morph of a first visit plays: a shape on the way, in one piece. */
 const FAR = 0.4;
 
-/** `hash` is what the page was opened with: whoever follows a link came for that. */
+/** `hash` is what the page was opened with: a document in it was sent by somebody. */
 export function beGuided(hash: string): void {
   const host = document.createElement("div");
   document.body.append(host);
   render(h(Guide, null), host);
-  if (hash.length > 1 || seen(STEPS.length) !== null || lastStep()) return;
-  greeting.value = true;
-  if (!reducedMotion.peek()) playALittle();
+  if (route.peek().page !== "studio" || seen(STEPS.length) !== null || lastStep()) return;
+  const [visit] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
+  const sent = hash.length > 1;
+  // What was here before the page was loaded again was sent by nobody.
+  if (sent && visit && visit.type !== "navigate") return;
+  greeting.value = sent ? "sent" : "new";
+  welcome();
+  if (!sent) {
+    if (!reducedMotion.peek()) playALittle();
+  } else if (readParameters(location.search).play === null) moveBySelf("once");
+}
+
+/** It has a place of its own in the studio, so that it lies over nothing. */
+function welcome(): void {
+  const place = document.createElement("div");
+  place.className = css["welcome"] ?? "";
+  document.querySelector("main.studio")?.prepend(place);
+  render(h(Welcome, null), place);
 }
 
 /** Shows that it moves, and stops; at once where somebody takes it in hand. */
@@ -27,14 +47,13 @@ function playALittle(): void {
   play();
   const stop = effect(() => {
     if (scene.value.t < FAR && playing.value) return;
+    rested.value = playing.value;
     queueMicrotask(end);
   });
-  addEventListener("pointerdown", end, { capture: true });
-  addEventListener("keydown", end, { capture: true });
+  const release = inHand(end);
   function end() {
     stop();
     playing.value = false;
-    removeEventListener("pointerdown", end, { capture: true });
-    removeEventListener("keydown", end, { capture: true });
+    release();
   }
 }

@@ -5,15 +5,19 @@ import { help } from "#ui/commands";
 import { keepSeen, seen } from "./seen";
 import { STEPS } from "./steps";
 
-/** The sentence of a first visit. */
-export const greeting = signal(false);
+/** The sentence of a first visit: to Frond, or to what somebody sent. */
+export const greeting = signal<"new" | "sent" | null>(null);
+/** Whether what moved by itself has come to rest on the way. */
+export const rested = signal(false);
 /** The step of the round that one is at; null where there is none. */
 export const at = signal<number | null>(null);
 
 /** Begins the round, or goes on where it was left. */
 export function goRound(): void {
   const left = seen(STEPS.length);
-  greeting.value = false;
+  // Its steps are about what Frond begins with; what was sent is one step back.
+  if (greeting.peek() === "sent") location.hash = "";
+  greeting.value = null;
   help.value = false;
   openTool("morph");
   goTo(typeof left === "number" ? left : 0);
@@ -31,6 +35,6 @@ export function leave(step: number): void {
 }
 
 export function greeted(): void {
-  greeting.value = false;
+  greeting.value = null;
   keepSeen("seen");
 }

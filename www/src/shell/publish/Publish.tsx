@@ -11,13 +11,14 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { filmTask } from "#workers/film/client";
 import shareCss from "../share.module.css";
 import { openedTool } from "../tools";
+import type { Moves } from "./folder";
 import { type FilmChoice, makeFolder, mp4Settings } from "./make";
 import css from "./publish.module.css";
 
 interface PublishProps {
   /** The link that is published. */
   address: string;
-  plays: boolean;
+  moves: Moves;
   still: () => Promise<Still>;
   onClose: () => void;
 }
@@ -25,7 +26,7 @@ interface PublishProps {
 const WRONG = "An address begins with https:// and names a folder, such as https://example.org/fern/.";
 
 /** Asks what the folder says of itself, and makes it. */
-export function Publish({ address, plays, still, onClose }: PublishProps) {
+export function Publish({ address, moves, still, onClose }: PublishProps) {
   const [title, setTitle] = useState(titleNow);
   const [about, setAbout] = useState("A fractal, drawn live. Made with Frond.");
   const [home, setHome] = useState("");
@@ -57,7 +58,7 @@ export function Publish({ address, plays, still, onClose }: PublishProps) {
     stop.current = ending;
     setBusy(true);
     try {
-      const words = { title: title.trim() || "A fractal", about: about.trim(), address, home: whole, plays };
+      const words = { title: title.trim() || "A fractal", about: about.trim(), address, home: whole, moves };
       const zip = await makeFolder({ ...words, film }, await still(), subjects, ending.signal, setTold);
       download(new Blob([zip], { type: "application/zip" }), `${plainName(words.title, "frond")}.zip`);
       setTold("Saved. Unpack it, and put the folder on your host.");

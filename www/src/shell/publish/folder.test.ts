@@ -7,7 +7,7 @@ const plain: Publication = {
   about: "A fern becomes a leaf.",
   address: "https://frond.example/app/?play#a=fern&b=maple&a-name=A%22%3E",
   home: null,
-  plays: false,
+  moves: "still",
   film: null,
 };
 
@@ -36,7 +36,8 @@ describe("a published folder", () => {
     expect(html).toContain('src="https://frond.example/app/?play#a=fern&amp;b=maple&amp;a-name=A%22%3E"');
     expect(html).toContain('studio="https://frond.example/app/"');
     expect(html).not.toContain("autoplay");
-    expect(indexPage({ ...plain, plays: true })).toContain(" controls autoplay loop>");
+    expect(indexPage({ ...plain, moves: "on" })).toContain(" controls autoplay loop>");
+    expect(indexPage({ ...plain, moves: "once" })).toContain(" controls autoplay>");
     expect(studioOf("http://localhost:4700/index.html?a=b/c#d/e")).toBe("http://localhost:4700/");
   });
 

@@ -4,6 +4,12 @@ import { escaped } from "#format/html";
 /** Of pictures that unfold, as most messengers want them. */
 export const UNFOLDED = { width: 1200, height: 630 };
 
+/** What it does when it is opened, but for those who asked their system for less motion. */
+export type Moves = "once" | "on" | "still";
+
+/** The same as attributes of the element. */
+export const AUTOPLAY: Record<Moves, string> = { once: " autoplay", on: " autoplay loop", still: "" };
+
 export interface FilmFile {
   name: "film.gif" | "film.mp4";
   width: number;
@@ -17,7 +23,7 @@ export interface Publication {
   address: string;
   /** Where the folder will be, with a slash at its end; null where nobody knows yet. */
   home: string | null;
-  plays: boolean;
+  moves: Moves;
   film: FilmFile | null;
 }
 
@@ -57,7 +63,7 @@ function unfolding({ title, about, home, film }: Publication): string[] {
 
 /** The page of the folder: read without a program, and with the real thing where there may be one. */
 export function indexPage(publication: Publication): string {
-  const { title, about, address, plays, film } = publication;
+  const { title, about, address, moves, film } = publication;
   const label = escaped(title);
   const picture = film?.name === "film.gif" ? film.name : "picture.png";
   return `<!doctype html>
@@ -77,7 +83,7 @@ export function indexPage(publication: Publication): string {
     <main>
       <h1>${label}</h1>
       <p>${escaped(about)}</p>
-      <frond-view src="${escaped(address)}" studio="${escaped(studioOf(address))}" poster="picture.png" label="${label}" theme="auto" controls${plays ? " autoplay loop" : ""}></frond-view>
+      <frond-view src="${escaped(address)}" studio="${escaped(studioOf(address))}" poster="picture.png" label="${label}" theme="auto" controls${AUTOPLAY[moves]}></frond-view>
       <noscript><img src="${picture}" alt="${label}" /></noscript>
       <p><a href="${escaped(address)}">Open in Frond</a>${film ? ` · <a href="${film.name}">The film</a>` : ""}</p>
     </main>

@@ -1,0 +1,58 @@
+import { reducedMotion } from "#document/preferences";
+import { scene } from "#document/scene";
+import { endsOf } from "#document/stand-in";
+import { tool } from "#document/tool";
+import { percent } from "#format/path-words";
+import { Button, IconButton } from "#ui/controls/Button";
+import css from "./guide.module.css";
+import { at, goRound, greeted, greeting, rested } from "./state";
+
+/** The sentence of a first visit, to Frond itself or to what somebody sent. */
+export function Welcome() {
+  const kind = greeting.value;
+  if (kind === null || at.value !== null) return null;
+  return (
+    <aside class={css["greeting"]} aria-label="Welcome">
+      <p>
+        {kind === "sent" ? sentWords() : <strong>{WHAT}</strong>}{" "}
+        {kind === "new" && !reducedMotion.value && <Rested />}
+      </p>
+      <div class={css["ways"]}>
+        <Button kind="primary" onClick={goRound}>
+          Show me round
+        </Button>
+        <a class="button" href="#learn">
+          Learn
+        </a>
+      </div>
+      <IconButton class={css["close"]} icon="close" label="Close" kind="quiet" onClick={greeted} />
+    </aside>
+  );
+}
+
+const WHAT = "Frond turns one fractal into another without letting it fall apart.";
+
+function sentWords() {
+  const { a, b } = endsOf(scene.value);
+  const turns = tool.value === "morph" && a.name !== b.name;
+  return (
+    <>
+      {turns && (
+        <strong>
+          {a.name} turns into {b.name}.
+        </strong>
+      )}{" "}
+      Made with Frond, a studio for shapes made of smaller copies of themselves.
+    </>
+  );
+}
+
+/** Its room is kept, so that nothing moves when it comes. */
+function Rested() {
+  const now = rested.value;
+  return (
+    <span class={css["rested"]} role="status">
+      {now && `It stopped at ${percent(scene.value.t)} of the way: press play to go on.`}
+    </span>
+  );
+}
