@@ -35,7 +35,17 @@ export interface Frame {
   t: number;
   verdict: Told | null;
   bitmap: ImageBitmap | null;
+  /** The picture is of what was there before, and the next one is under way. */
+  stale: boolean;
 }
+
+/** A still whose morph has changed. Of other shapes it shows nothing until there is a picture of them. */
+export const outdated = ({ t, bitmap }: Frame, others: boolean): Frame => ({
+  t,
+  verdict: null,
+  bitmap: others ? null : bitmap,
+  stale: true,
+});
 
 /** A path, decided moment by moment: evenly spaced from 0 to 1. */
 export interface Along {

@@ -1,23 +1,24 @@
 /** What is known of the moments of a path: where it breaks, and small pictures of it. */
 
-import { effect, untracked } from "@preact/signals";
+import { computed, effect, untracked } from "@preact/signals";
 import { pieceColours } from "#document/colours";
 import { fitFor, pathTrack } from "#document/framing";
 import { mapsAt, pathPoints } from "#document/morph";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
+import { endsOf } from "#document/stand-in";
 import { shareOf, stateOf, type Told } from "#format/verdict";
 import { boxAt } from "#geometry/boxes";
 import { type Uv, uvAt } from "#geometry/path";
 import { stretches, widestOf } from "#geometry/states";
-import type { Colouring, MapRow } from "#wasm/api";
+import type { Colouring, MapRow, Scene } from "#wasm/api";
 import { Coalesce } from "#workers/pool/coalesce";
 import { epoch, submit } from "#workers/pool/engine";
 import type { Job } from "#workers/pool/protocol";
 import { inputs as morph } from "./inputs";
 import { EPSILON, type LocusInputs } from "./locus/job";
 import { leavesPlane } from "./plan";
-import { publish } from "./results";
+import { outdated, publish } from "./results";
 
 export const FRAMES = 13;
 /** CSS pixels. */
@@ -90,19 +91,27 @@ function breaksJob(inputs: LocusInputs, points: Uv[]): Job<"along"> {
   };
 }
 
+// Of the document these two: the strip does not begin anew with each moment.
+const colouring = computed(() => scene.value.colouring);
+const colours = computed(() => pieceColours(dark.value ? "dark" : "light"));
+
 /** The film strip: small pictures of the morph at even times. */
 export function scheduleStrip(): void {
   let timer: ReturnType<typeof setTimeout> | null = null;
+  let shapes = "";
   setFrames((frame) => frame);
   effect(() => {
     const what = {
       inputs: morph.value,
       points: pathPoints.value,
-      colouring: scene.value.colouring,
-      colours: pieceColours(dark.value ? "dark" : "light"),
+      colouring: colouring.value,
+      colours: colours.value,
     };
     epoch.value;
     untracked(() => {
+      const before = shapes;
+      shapes = namesOf(scene.peek());
+      setFrames((frame) => outdated(frame, shapes !== before));
       if (timer) clearTimeout(timer);
       timer = setTimeout(() => submit(stripJob(what)), SETTLE_MS);
     });
@@ -143,14 +152,20 @@ function stripJob({ inputs, points, colouring, colours }: What): Job<"picture"> 
     },
     accept(task, bitmap) {
       const place = places.get(task);
-      setFrames((frame, i) => (i === place ? { ...frame, bitmap } : frame));
+      setFrames((frame, i) => (i === place ? { ...frame, bitmap, stale: false } : frame));
     },
     fail(task) {
       // Without an attractor there is nothing to draw, and the frame says so by staying empty.
       const place = places.get(task);
-      setFrames((frame, i) => (i === place ? { ...frame, bitmap: null } : frame));
+      setFrames((frame, i) => (i === place ? { ...frame, bitmap: null, stale: false } : frame));
     },
   };
+}
+
+/** What tells shapes from others: while one is changed by hand it keeps its name. */
+export function namesOf(scene: Scene): string {
+  const { a, b } = endsOf(scene);
+  return `${a.name}\n${b.name}`;
 }
 
 type StripFrame = (typeof publish.strip.value)[number];
@@ -162,6 +177,6 @@ function frameTimes(): number[] {
 function setFrames(change: (frame: StripFrame, index: number) => StripFrame): void {
   const before = publish.strip.peek();
   publish.strip.value = frameTimes().map((t, i) =>
-    change(before[i] ?? { t, verdict: null, bitmap: null }, i),
+    change(before[i] ?? { t, verdict: null, bitmap: null, stale: true }, i),
   );
 }

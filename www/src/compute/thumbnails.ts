@@ -32,13 +32,13 @@ export function scheduleThumbnails(): void {
     const { maps } = scene.value.a;
     dark.value;
     epoch.value;
-    untracked(() => want("a", maps, pieceColours(theme())));
+    untracked(() => wantEnd("a", maps));
   });
   effect(() => {
     const { maps } = scene.value.b;
     dark.value;
     epoch.value;
-    untracked(() => want("b", maps, pieceColours(theme())));
+    untracked(() => wantEnd("b", maps));
   });
   effect(() => {
     dark.value;
@@ -66,6 +66,19 @@ export function thumbnailsOf(shapes: readonly { id: string; maps: MapRow[] }[]):
     }
     publish.thumbnails.value = left;
   };
+}
+
+const names = { a: "", b: "" };
+
+/** Another shape is not shown by the picture of the one before it; while one is changed by hand that stays. */
+function wantEnd(end: "a" | "b", maps: MapRow[]): void {
+  const { name } = scene.peek()[end];
+  if (name !== names[end]) {
+    names[end] = name;
+    const left = new Map(publish.thumbnails.peek());
+    if (left.delete(end)) publish.thumbnails.value = left;
+  }
+  want(end, maps, pieceColours(theme()));
 }
 
 const theme = () => (dark.peek() ? "dark" : "light");

@@ -7,10 +7,12 @@ import type { RenderStyle } from "#wasm/core";
 
 const colouring = computed(() => scene.value.colouring);
 
-/** How the stage is coloured. */
+const colours = computed(() => pieceColours(dark.value ? "dark" : "light"));
+
+/** How the stage is coloured: the same object while only the moment changes. */
 export const stageStyle: ReadonlySignal<RenderStyle> = computed(() => ({
   colouring: colouring.value,
-  palette: pieceColours(dark.value ? "dark" : "light"),
+  palette: colours.value,
 }));
 
 /** How often the chaos game takes each map, where that is to be seen: without a density no pixel hangs on it. */

@@ -4,9 +4,10 @@
  */
 import { effect, untracked } from "@preact/signals";
 import { type Frame, publish } from "#compute/results";
-import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES } from "#compute/strip";
+import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES, namesOf } from "#compute/strip";
 import { curveMorph } from "#document/curve/curve";
 import { pathTrack } from "#document/framing";
+import { scene } from "#document/scene";
 import { toldOf } from "#format/verdict";
 import { boxAt } from "#geometry/boxes";
 import { STATE } from "#geometry/states";
@@ -19,17 +20,21 @@ const film = publish.standInFilm;
 /** Keeps the film up to date. Returns the end of it. */
 export function watchFilm(): () => void {
   let timer: ReturnType<typeof setTimeout> | null = null;
+  let shapes = "";
   const stop = effect(() => {
     const morph = curveMorph.value;
     const track = pathTrack.value;
     const { palette } = stageStyle.value;
     if (timer) clearTimeout(timer);
     const kept = untracked(() => film.value);
+    const before = shapes;
+    shapes = namesOf(scene.peek());
     const frames: Frame[] = Array.from({ length: FRAMES }, (_, i) => ({
       t: i / (FRAMES - 1),
       // By construction, at every moment.
       verdict: toldOf(STATE.connected, 0),
-      bitmap: kept[i]?.bitmap ?? null,
+      bitmap: shapes === before ? (kept[i]?.bitmap ?? null) : null,
+      stale: true,
     }));
     film.value = frames;
     let next = 0;
@@ -43,7 +48,7 @@ export function watchFilm(): () => void {
         { width: FRAME_WIDTH, height: FRAME_HEIGHT },
         palette,
       );
-      const made = { ...frame, bitmap };
+      const made = { ...frame, bitmap, stale: false };
       film.value = film.peek().map((old) => (old.t === made.t ? made : old));
       next++;
       timer = setTimeout(step);

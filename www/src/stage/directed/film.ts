@@ -1,9 +1,10 @@
 /** The film of a morph of graph-directed shapes: small pictures at even times, and what is known of each. */
 import { effect, untracked } from "@preact/signals";
-import { type Frame, publish } from "#compute/results";
-import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES } from "#compute/strip";
+import { type Frame, outdated, publish } from "#compute/results";
+import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES, namesOf } from "#compute/strip";
 import { directedWay } from "#document/directed/directed";
 import { fitFor, pathTrack } from "#document/framing";
+import { scene } from "#document/scene";
 import { RESOLUTION } from "#format/verdict";
 import type { Track } from "#geometry/boxes";
 import { boxAt } from "#geometry/boxes";
@@ -21,17 +22,19 @@ const film = publish.standInFilm;
 
 /** Keeps the film up to date. Returns the end of it. */
 export function watchFilm(): () => void {
+  let shapes = "";
   const stop = effect(() => {
     const way = directedWay.value;
     const track = pathTrack.value;
     const style = stageStyle.value;
     if (!way) return;
     const kept = untracked(() => film.value);
-    film.value = Array.from({ length: FRAMES }, (_, i) => ({
-      t: i / (FRAMES - 1),
-      verdict: null,
-      bitmap: kept[i]?.bitmap ?? null,
-    }));
+    const before = shapes;
+    shapes = namesOf(scene.peek());
+    film.value = Array.from({ length: FRAMES }, (_, i) => {
+      const now = { t: i / (FRAMES - 1), verdict: null, bitmap: kept[i]?.bitmap ?? null, stale: true };
+      return outdated(now, shapes !== before);
+    });
     const end = new AbortController();
     const timer = setTimeout(() => void make(way, track, style, end.signal), SETTLE_MS);
     return () => {
@@ -63,7 +66,7 @@ async function make(way: Way, track: Track, style: RenderStyle, signal: AbortSig
       () => null,
     );
     if (signal.aborted) return;
-    put(t, { bitmap });
+    put(t, { bitmap, stale: false });
   }
   for (const t of moments) {
     const asked = { moment: { ...way, t }, epsilon: RESOLUTION };

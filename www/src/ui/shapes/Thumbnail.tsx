@@ -7,7 +7,13 @@ export function Thumbnail({ bitmap }: { bitmap: ImageBitmap | null | undefined }
   useLayoutEffect(() => {
     const element = canvas.current;
     // A bitmap that was closed has no size, and one of a worker that died never comes.
-    if (element === null || !bitmap || bitmap.width === 0) return;
+    if (element === null || bitmap?.width === 0) return;
+    if (!bitmap) {
+      // What was drawn before is of something else.
+      element.width = 4;
+      element.height = 3;
+      return;
+    }
     element.width = bitmap.width;
     element.height = bitmap.height;
     element.getContext("2d")?.drawImage(bitmap, 0, 0);

@@ -52,12 +52,13 @@ export function FilmStrip() {
       {all.map((frame, index) => {
         const broken = frame.verdict !== null && isBroken(stateOf(frame.verdict));
         const mark = frame.verdict ? MARKS[frame.verdict.verdict] : undefined;
-        const words = `${percent(frame.t)}: ${verdictPhrase(frame.verdict)}`;
+        const known = frame.stale ? "picture in the making" : verdictPhrase(frame.verdict);
+        const words = `${percent(frame.t)}: ${known}`;
         return (
           <li key={frame.t}>
             <button
               type="button"
-              class={`frame ${broken ? "broken" : ""}`}
+              class={`frame ${broken ? "broken" : ""} ${frame.stale ? "stale" : ""}`}
               tabIndex={index === nearest ? 0 : -1}
               aria-current={index === nearest ? "true" : undefined}
               aria-label={`At ${words}`}
