@@ -11,8 +11,9 @@ import { restsOf } from "#geometry/snap";
 import type { Shape } from "#wasm/api";
 import { stageStyle } from "../picture-style";
 import { stageSize } from "../view";
+import { apart } from "./apart";
 import { type Held, rest } from "./held";
-import { Outline, Parallelogram, place, Resting } from "./Parallelogram";
+import { middleSeen, Outline, Parallelogram, place, Resting, TAG, Tag } from "./Parallelogram";
 
 const shape = computed<Shape | null>(() => {
   const target = selection.value?.target;
@@ -53,6 +54,14 @@ function Maps() {
   // The chosen one last, so that it lies on top.
   const order = maps.map((_, i) => i).sort((p, q) => Number(p === chosen.map) - Number(q === chosen.map));
   const { palette } = stageStyle.value;
+  const choose = (map: number) => () => {
+    const now = selection.peek();
+    if (now) selection.value = { ...now, map };
+  };
+  const tags = apart(
+    maps.map((map, i) => middleSeen(heldMap(i), map)),
+    2 * TAG,
+  );
   return (
     <Overlay title="Maps of the shape as parallelograms" box={frame.value}>
       {order.map((i) => {
@@ -64,15 +73,15 @@ function Maps() {
             held={heldMap(i)}
             map={map}
             colour={palette[i % palette.length] ?? "currentColor"}
-            mark={`${i + 1}`}
             chosen={i === chosen.map}
-            choose={() => {
-              const now = selection.peek();
-              if (now) selection.value = { ...now, map: i };
-            }}
+            choose={choose(i)}
           />
         );
       })}
+      {/* Above all bodies and handles: what is seen on top is what is taken hold of. */}
+      {tags.map((at, i) => (
+        <Tag key={`tag ${i + 1}`} held={heldMap(i)} mark={`${i + 1}`} at={at} choose={choose(i)} />
+      ))}
     </Overlay>
   );
 }

@@ -8,6 +8,9 @@ import { DOES, type Held, useHeldGrip, useHeldTurner } from "./held";
 /** How far from its side the handle stands that only turns it. */
 const ARM = 30;
 
+/** How near to its middle a number is pressed. */
+export const TAG = 13;
+
 export function place(p: World): Screen {
   return toScreen(p, effectiveView.value, stageSize.value);
 }
@@ -29,8 +32,6 @@ interface ParallelogramProps {
   held: Held;
   map: MapRow;
   colour: string;
-  /** Written in its middle. */
-  mark?: string;
   /** Its handles are shown. */
   chosen: boolean;
   /** Where there are several: chooses this one. */
@@ -38,9 +39,8 @@ interface ParallelogramProps {
 }
 
 /** What is held, with its handles. */
-export function Parallelogram({ held, map, colour, mark, chosen, choose }: ParallelogramProps) {
+export function Parallelogram({ held, map, colour, chosen, choose }: ParallelogramProps) {
   const corners = cornersOf(map, held.box());
-  const middle = between(place(corners.x), place(corners.y));
   return (
     <g class={chosen ? `${css["map"]} chosen` : css["map"]} style={{ color: colour }}>
       {/* biome-ignore lint/a11y/useSemanticElements: there are no buttons in SVG */}
@@ -56,13 +56,41 @@ export function Parallelogram({ held, map, colour, mark, chosen, choose }: Paral
         ref={useHeldGrip(held, "origin", choose)}
       />
       <path class={css["edge"]} d={outline(corners)} />
-      {mark !== undefined && (
-        <text class={`${css["number-label"]} ${css["cased"]}`} x={middle.x} y={middle.y + 5}>
-          {mark}
-        </text>
-      )}
       {chosen && GRIPS.map((grip) => <Handle key={grip} held={held} grip={grip} at={place(corners[grip])} />)}
       {chosen && <Turner held={held} corners={corners} />}
+    </g>
+  );
+}
+
+/** The middle of what is held. */
+export function middleSeen(held: Held, map: MapRow): Screen {
+  const corners = cornersOf(map, held.box());
+  return between(place(corners.x), place(corners.y));
+}
+
+/** Its number, which moves it as its body does, whatever else lies there. Keys have the body. */
+export function Tag({
+  held,
+  mark,
+  at,
+  choose,
+}: {
+  held: Held;
+  mark: string;
+  at: Screen;
+  choose: () => void;
+}) {
+  return (
+    <g
+      class={css["tag"]}
+      data-handle=""
+      transform={`translate(${at.x} ${at.y})`}
+      ref={useHeldGrip(held, "origin", choose)}
+    >
+      <circle class={css["reach"]} r={TAG} />
+      <text class={`${css["number-label"]} ${css["cased"]}`} y={5}>
+        {mark}
+      </text>
     </g>
   );
 }
