@@ -73,3 +73,24 @@ test("axe finds nothing on a phone", async ({ studio, page }) => {
   await page.getByRole("button", { name: "Edit the maps of A" }).tap();
   await expectClean(page);
 });
+
+test("words at twice their size push nothing out of the window", async ({ studio, page }) => {
+  for (const [width, height] of [
+    [390, 844],
+    [1280, 800],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await studio.open("a=dragon-3&b=gasket&path=straight&t=0.5");
+    await page.addStyleTag({ content: "html { font-size: 200% }" });
+    await expect(page.getByRole("button", { name: "Share", exact: true })).toBeInViewport({ ratio: 1 });
+    const out = () =>
+      page.evaluate(() =>
+        [...document.querySelectorAll<HTMLElement>(".header :is(a, button, select), .side *, .readout *")]
+          .filter((e) => e.getClientRects().length > 0 && getComputedStyle(e).position === "static")
+          .map((e) => ({ e, edge: e.closest(".side, .stage")?.getBoundingClientRect().right ?? innerWidth }))
+          .filter(({ e, edge }) => !e.closest("svg") && e.getBoundingClientRect().right > edge + 1)
+          .map(({ e }) => `${e.className} ${e.textContent}`),
+      );
+    await expect.poll(out, { message: `${width} x ${height}` }).toEqual([]);
+  }
+});

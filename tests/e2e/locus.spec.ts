@@ -180,7 +180,7 @@ test("a slice off the path says so, and can be cut through the picture", async (
   await studio.idle();
   const plain = await painted(page);
   await page.getByText("Stretch ahead of turn").first().click();
-  await page.getByRole("button", { name: "Slice through the picture" }).click();
+  await page.getByRole("button", { name: "Show the map there" }).click();
   expect((await studio.scene()).locus?.w).toBeCloseTo(0.4, 2);
   await studio.idle();
   expect(await painted(page)).not.toBe(plain);

@@ -117,12 +117,12 @@ test("the automatic path holds where the straight one breaks", async ({ studio, 
   await studio.idle();
   const words = page.locator(".path-verdict");
   await expect(words).toHaveText(/^In pieces, proved, between \d+% and \d+%.*widest gap [\d.]+%/);
-  await expect(page.getByRole("button", { name: /end to end/ })).toHaveCount(0);
+  await expect(page.getByRole("button", { name: /^Prove / })).toHaveCount(0);
   await page.getByRole("radio", { name: "Auto" }).check();
   await studio.idle();
   // It comes to the gasket where it holds exactly: nothing is known to be in pieces, however closely one looks.
   await expect(words).toHaveText(/^Looks whole at 1\/600 all the way\./);
-  await expect(page.getByRole("button", { name: "Prove it, end to end" })).toBeVisible();
+  await expect(page.getByRole("button", { name: "Prove it for every moment" })).toBeVisible();
   expect((await studio.scene()).path.points.length).toBeGreaterThan(0);
   const film = page.getByRole("list", { name: "Film of the morph" }).getByRole("button");
   await expect(film).toHaveCount(13);
@@ -138,7 +138,7 @@ test("the automatic path holds where the straight one breaks", async ({ studio, 
   await studio.open("a=dragon-3&b=gasket&path=drawn:-0.125,1.15625;0.5,1.75;0.9375,1.59375;1,1.125");
   await studio.idle();
   await expect(words).toHaveText(/^In pieces, proved, between 9\d%.*, gap 0\.1\d%, finer than 1\/600\.\s*$/);
-  await expect(page.getByRole("button", { name: "Bound its gap, end to end" })).toBeVisible();
+  await expect(page.getByRole("button", { name: "Prove how narrow its gaps stay" })).toBeVisible();
 });
 
 test("a path has 64 way points at most", async ({ studio, page }) => {
@@ -167,8 +167,8 @@ test("where the automatic path breaks, a way that holds is found and offered", a
   await use.click();
   expect(await studio.scene()).toMatchObject({ mode: "linear", path: { kind: "straight" } });
   expect((await studio.scene()).a.maps).toHaveLength(4);
-  await page.getByRole("button", { name: "Prove it, end to end" }).click();
-  await expect(page.getByText(/Proved, everywhere on this path: .* one of 3 joints/)).toBeVisible({
+  await page.getByRole("button", { name: "Prove it for every moment" }).click();
+  await expect(page.getByText(/Proved, at every moment of this path: .* one of 3 joints/)).toBeVisible({
     timeout: 30_000,
   });
   await page.getByRole("button", { name: "Undo", exact: true }).click();

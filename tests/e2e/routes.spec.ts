@@ -3,13 +3,13 @@ import { expect, test } from "./fixture";
 test("a path is proved end to end, until it changes", async ({ studio, page }) => {
   await studio.open("a=gasket&b=gasket&path=drawn:0.5,0.5");
   await studio.idle();
-  await page.getByRole("button", { name: "Prove it, end to end" }).click();
+  await page.getByRole("button", { name: "Prove it for every moment" }).click();
   await expect(
     page.getByText(/anywhere on this path: proved with|everywhere on this path: proved/),
   ).toBeVisible();
   await studio.way(1).focus();
   await page.keyboard.press("ArrowRight");
-  await expect(page.getByRole("button", { name: "Prove it, end to end" })).toBeVisible();
+  await expect(page.getByRole("button", { name: "Prove it for every moment" })).toBeVisible();
 });
 
 test("a way point says where the path breaks, and takes a third number", async ({ studio, page }) => {

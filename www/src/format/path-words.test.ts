@@ -64,12 +64,12 @@ describe("listWords", () => {
 describe("what is proved of a path", () => {
   const so = { done: 48, parts: 48, gap: 0.0031, boxes: 4212, worst: 0.634, problem: null };
 
-  it("gives the bound, the boxes and the place where it is weakest", () => {
+  it("gives the bound, the steps and the place where it is weakest", () => {
     expect(certifiedWords(so)).toBe(
-      "No gap wider than 0.31% of the shape’s diameter anywhere on this path: proved with 4,212 boxes. The bound is weakest at 63%.",
+      "At no moment of this path is a gap wider than 0.31% of the shape’s diameter: proved, in 4,212 steps. Least is known at 63%.",
     );
     expect(certifiedWords({ ...so, gap: 0 })).toBe(
-      "In one piece, proved, everywhere on this path, with 4,212 boxes.",
+      "In one piece, proved, at every moment of this path, in 4,212 steps.",
     );
   });
 
@@ -77,12 +77,14 @@ describe("what is proved of a path", () => {
     const words = certifiedWords({ ...so, gap: 2e-15, boxes: 0, joints: 3 });
     expect(words).toContain("3 joints");
     expect(words).toContain("2e-15 of the shape’s diameter, which is rounding");
-    expect(certifiedWords({ ...so, joints: 0 })).toContain("4,212 boxes");
+    expect(certifiedWords({ ...so, joints: 0 })).toContain("4,212 steps");
   });
 
   it("claims nothing before the end, nor without a bound", () => {
     expect(certifiedWords({ ...so, done: 12 })).toBe("Proving it: 25% of the path.");
-    expect(certifiedWords({ ...so, gap: Number.POSITIVE_INFINITY })).toMatch(/^No bound could be proved/);
+    expect(certifiedWords({ ...so, gap: Number.POSITIVE_INFINITY })).toMatch(
+      /^It could not be proved all the way/,
+    );
     expect(certifiedWords({ ...so, problem: "The path is too long." })).toBe(
       "It could not be proved. The path is too long.",
     );

@@ -63,12 +63,12 @@ export function certifiedWords(so: {
   if (so.problem !== null) return `It could not be proved. ${so.problem}`;
   if (so.done < so.parts) return `Proving it: ${percent(so.done / so.parts)} of the path.`;
   if (so.boxes === 0 && so.joints)
-    return `Proved, everywhere on this path: each piece joins the next in one of ${so.joints} joints, and all joints stay joined, to ${so.gap.toExponential(0)} of the shape’s diameter, which is rounding.`;
-  const boxes = `${so.boxes.toLocaleString("en")} ${so.boxes === 1 ? "box" : "boxes"}`;
+    return `Proved, at every moment of this path: each piece joins the next in one of ${so.joints} joints, and all joints stay joined, to ${so.gap.toExponential(0)} of the shape’s diameter, which is rounding.`;
+  const steps = `${so.boxes.toLocaleString("en")} ${so.boxes === 1 ? "step" : "steps"}`;
   if (!Number.isFinite(so.gap))
-    return `No bound could be proved all the way: at ${percent(so.worst)} it would take more than the ${boxes} that were looked at.`;
-  if (so.gap === 0) return `In one piece, proved, everywhere on this path, with ${boxes}.`;
-  return `No gap wider than ${shareWords(so.gap)} of the shape’s diameter anywhere on this path: proved with ${boxes}. The bound is weakest at ${percent(so.worst)}.`;
+    return `It could not be proved all the way: at ${percent(so.worst)} it would take more than ${steps}.`;
+  if (so.gap === 0) return `In one piece, proved, at every moment of this path, in ${steps}.`;
+  return `At no moment of this path is a gap wider than ${shareWords(so.gap)} of the shape’s diameter: proved, in ${steps}. Least is known at ${percent(so.worst)}.`;
 }
 
 /** What is known where the best path breaks. `apart`: on the samples there is no way that does not. */

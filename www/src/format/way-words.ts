@@ -8,8 +8,7 @@ export function offerWords(
   plan: Pick<PathPlan, "holds" | "gap">,
   gap: number,
 ): { what: string; why: string } {
-  const why =
-    way === null ? "The stretch runs ahead of the turn, or behind it: a third parameter, w." : way.about;
+  const why = way === null ? "The stretch then runs ahead of the turn, or behind it." : way.about;
   if (!plan.holds)
     return { what: `Another way breaks less: ${shareWords(plan.gap)}, not ${shareWords(gap)}.`, why };
   // Joints of doubles meet within some 1e-15 of the diameter, and no bound says that they do exactly.

@@ -1,10 +1,11 @@
 /** The morph tool: its side panel and its time strip. */
+import { stuck } from "#compute/results";
 import { selection } from "#document/morph";
 import { standIn } from "#document/stand-in";
 import { narrow } from "#ui/media";
 import { PanelFoot } from "#ui/panel/PanelFoot";
 import { gallery } from "./dialogs";
-import { Gallery, MapEditor, MotionPanel, StandIn } from "./later";
+import { Gallery, MapEditor, MotionPanel, OtherWays, StandIn } from "./later";
 import { LocusBeside, LocusPanel } from "./locus/LocusPanel";
 import { PathPanel } from "./locus/path/PathPanel";
 import { family } from "./locus/view/view";
@@ -12,7 +13,7 @@ import { PairNotes, PairsPanel } from "./pairs/PairsPanel";
 import { Ends } from "./shapes/Ends";
 import { PlaybackOptions } from "./strip/MorphStrip";
 import "#ui/panel/panel.css";
-import "./morph.module.css";
+import css from "./morph.module.css";
 
 /** Everything beside the picture: the shapes and the way between both. */
 export function MorphPanel() {
@@ -46,12 +47,24 @@ function Systems() {
   );
 }
 
+/** Where the way breaks: what else there is, above all that it is about. */
+function Cure() {
+  if (!stuck.value) return null;
+  return (
+    <section class={css["cure"]} aria-label="Other ways">
+      <p>This way falls apart.</p>
+      <OtherWays />
+    </section>
+  );
+}
+
 function Morph() {
   // Of another family's map the two shapes, the path and its time are no part.
   if (family.value === "polygon") return <LocusPanel />;
   return (
     <>
       <PairNotes />
+      <Cure />
       <LocusPanel />
       <PathPanel />
       <MotionPanel />

@@ -14,7 +14,6 @@ import { Switch } from "#ui/controls/Switch";
 import type { PathKind } from "#wasm/api";
 import { workers } from "#workers/pool/engine";
 import { openMatching, openRoutes } from "../../dialogs";
-import { OtherWays } from "../../later";
 import { mode, pathKind } from "../../parts";
 import { setThird, third } from "./automatic";
 import { PATH } from "./handles";
@@ -104,11 +103,10 @@ function NoWay() {
           onChange={setThird}
           description="The stretch may run ahead of the turn, or behind it: a path through three parameters"
         >
-          {looking ? "With a third parameter: looking …" : "With a third parameter, w"}
+          {looking ? "With a third parameter: looking …" : "With a third parameter"}
         </Switch>
       )}
       {inVain && <p class="hint">The third parameter does not help here.</p>}
-      {stuck.value && <OtherWays />}
       {stuck.value && (
         <div class={pathCss["path-offers"]}>
           <Button kind="quiet" onClick={openMatching}>
@@ -156,11 +154,11 @@ function Certificate() {
       ) : now === null ? (
         <Button
           kind="quiet"
-          description="Bound the gap everywhere on the path, not only at the moments that were looked at"
+          description="Until now 241 moments were looked at. This makes sure of all that lie between, too"
           disabled={!workers.value.available && along.value === null}
           onClick={certify}
         >
-          {breaksHidden.value ? "Bound its gap, end to end" : "Prove it, end to end"}
+          {breaksHidden.value ? "Prove how narrow its gaps stay" : "Prove it for every moment"}
         </Button>
       ) : (
         <p class={pathCss["path-proved"]} role="status">

@@ -22,7 +22,7 @@ export function Slice() {
   return (
     <details class="fold" open={open || w !== 0} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>
-        Stretch ahead of turn <span class="dim">w {fixed(w, 2)}</span>
+        Stretch ahead of turn <span class="dim">this map: w {fixed(w, 2)}</span>
       </summary>
       <div class={fieldCss["slice"]}>
         <Slider
@@ -53,8 +53,8 @@ export function Slice() {
       </p>
       {Math.abs(off) > THICKNESS && (
         <p class={fieldCss["slice-off"]}>
-          The picture is at <span class="symbol">w</span> {fixed(there, 2)}, off this slice.{" "}
-          <Button onClick={() => toSlice(there)}>Slice through the picture</Button>
+          The picture is at <span class="symbol">w</span> {fixed(there, 2)}, and not on this map.{" "}
+          <Button onClick={() => toSlice(there)}>Show the map there</Button>
         </p>
       )}
     </details>
