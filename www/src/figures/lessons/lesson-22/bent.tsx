@@ -7,6 +7,7 @@ import { Panel } from "../../kit/frame/panel";
 import { tex } from "../../kit/notation/tex";
 import { Bent } from "../../kit/picture/deformed";
 import { lifted } from "./answer";
+import css from "./bent.module.css";
 
 interface BothProps {
   kb: number;
@@ -19,7 +20,7 @@ export function Both({ kb, delta, pull = 1 }: BothProps) {
   const bend = useMemo(() => lifted(kb, delta, pull), [kb, delta, pull]);
   const how = `locality ${fixed(kb)} of ${KE}, roughness ${fixed(delta)}, ${Math.round(100 * pull)}% pulled`;
   return (
-    <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+    <div class={`${layout["two-columns"]} ${layout["even"]} ${css["both"]}`}>
       <Panel caption="the whole">
         <Bent maps={GASKET} box={LIFT_BOX} bend={bend} label={`The gasket at ${how}`} />
       </Panel>
