@@ -9,7 +9,9 @@ import { place } from "../path/way";
 import { arcNear } from "../view/geometry";
 import { shownWindow, sides, view } from "../view/view";
 import { criticalScale } from "./critical";
-import { circlesOf, landmarksOf } from "./families";
+import { circlesOf } from "./families";
+import { landmarksOf } from "./landmarks";
+import { curve } from "./orbit";
 
 /** What is known by proof, drawn over what is computed. */
 export function FamilyLines() {
@@ -34,6 +36,15 @@ export function FamilyLines() {
             </g>
           );
         })}
+        <g class={fieldCss["course"]}>
+          {[true, false].map((halo) => (
+            <path
+              key={`${halo}`}
+              class={halo ? fieldCss["halo"] : ""}
+              d={linePath(piecesIn(curve.value, within))}
+            />
+          ))}
+        </g>
         {[r, -r].slice(0, n % 2 === 0 ? 2 : 1).map((x) => {
           const d = linePath(
             piecesIn(

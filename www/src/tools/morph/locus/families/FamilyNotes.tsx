@@ -1,4 +1,5 @@
 import { MOST_ZOOM } from "#compute/locus/window";
+import { here } from "#document/morph";
 import { lowered } from "#format/parameters";
 import { powerWords } from "#format/verdict";
 import { Button } from "#ui/controls/Button";
@@ -6,21 +7,27 @@ import { narrow } from "#ui/media";
 import fieldCss from "../field.module.css";
 import { fly, pickPoint, sides } from "../view/view";
 import { Courses } from "./Courses";
+import { centre } from "./course";
 import { critical, criticalScale } from "./critical";
-import { landmarksOf, symmetryWords, theoremWords } from "./families";
+import { symmetryWords, theoremWords } from "./families";
+import { landmarkAt, landmarksOf } from "./landmarks";
 
 /** What others proved of a family, beside what Frond computes, and places to go to. */
 export function FamilyNotes() {
   const n = sides.value;
+  const all = landmarksOf(n, criticalScale(n));
+  const at = landmarkAt(all, here.value);
   return (
     <div class="family-notes">
       {narrow.value && <Courses />}
       <ul class={fieldCss["landmarks"]} aria-label="Places to see">
-        {landmarksOf(n, criticalScale(n)).map(({ name, about, s, zoom }) => (
+        {all.map(({ name, about, s, zoom, spiral }) => (
           <li key={name}>
             <Button
               description={about}
+              pressed={at?.name === name}
               onClick={() => {
+                if (spiral) centre.value = s;
                 pickPoint(s, undefined, MOST_ZOOM);
                 fly({ x: s[0], y: s[1], zoom });
               }}
@@ -30,6 +37,14 @@ export function FamilyNotes() {
           </li>
         ))}
       </ul>
+      <div class={fieldCss["landmark-words"]} aria-live="polite">
+        {at && (
+          <>
+            <p>{at.about}.</p>
+            <p class="hint">{at.source}.</p>
+          </>
+        )}
+      </div>
       <dl class="critical">
         <div>
           <dt>

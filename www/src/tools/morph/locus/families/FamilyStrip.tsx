@@ -7,13 +7,32 @@ import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
 import { PlayButton } from "#ui/strip/PlayButton";
 import css from "../field.module.css";
+import { sides } from "../view/view";
 import { Courses } from "./Courses";
-import { course } from "./course";
+import { courseOf, STEPS } from "./course";
 import { orbitBreaks, orbiting, orbitTo, place, toggleOrbit } from "./orbit";
+
+const WORDS = {
+  round: {
+    where: "on the circle about 0",
+    label: "Turn of s about 0",
+    value: (part: number) => `${Math.round(360 * part)} degrees`,
+  },
+  ray: {
+    where: "on the ray from 0",
+    label: "Size of s",
+    value: (part: number) => `${Math.round(100 * part)}%`,
+  },
+  spiral: {
+    where: "on the spiral into a landmark",
+    label: "Steps of s into the landmark",
+    value: (part: number) => `step ${(STEPS * part).toFixed(1)} of ${STEPS}`,
+  },
+};
 
 /** What takes the place of the morph's time, where the map is a family's: s on its way. */
 export function FamilyStrip() {
-  const round = course.value === "round";
+  const words = WORDS[courseOf(sides.value)];
   const known = verdict.value;
   const told = known && !known.stale ? `, ${verdictPhrase(known.connectedness)}` : "";
   return (
@@ -22,13 +41,13 @@ export function FamilyStrip() {
       <div class={css["family-way"]}>
         <p class="number">
           s = {complexWords(here.value, 3)}
-          {!narrow.value && <span class="dim"> {round ? "on the circle about 0" : "on the ray from 0"}</span>}
+          {!narrow.value && <span class="dim"> {words.where}</span>}
         </p>
         <Slider
-          label={round ? "Turn of s about 0" : "Size of s"}
+          label={words.label}
           value={place.value}
           step={0.005}
-          valueText={`${round ? `${Math.round(360 * place.value)} degrees` : `${Math.round(100 * place.value)}%`}${told}`}
+          valueText={`${words.value(place.value)}${told}`}
           onChange={orbitTo}
           onDone={endGesture}
         >

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Uv } from "#geometry/path";
-import { circlesOf, landmarksOf, theoremWords, twins } from "./families";
+import { circlesOf, theoremWords, twins } from "./families";
+import { landmarkAt, landmarksOf } from "./landmarks";
 
 describe("what is known of a family", () => {
   it("has its circles", () => {
@@ -17,6 +18,51 @@ describe("what is known of a family", () => {
     expect(Math.hypot(...(of("Twin dragon") as [number, number]))).toBeCloseTo(Math.SQRT1_2, 12);
     expect(Math.hypot(...(of("Tame dragon") as [number, number]))).toBeCloseTo(Math.SQRT1_2, 12);
     expect(landmarksOf(5, 0.381966)).toMatchObject([{ name: "r₅", s: [0.381966, 0] }]);
+  });
+  it("has landmarks that are roots of what is said of them, and a source for each", () => {
+    const value = (s: Uv, coefficients: number[]) => {
+      let [re, im] = [0, 0];
+      for (const c of coefficients.toReversed())
+        [re, im] = [re * s[0] - im * s[1] + c, re * s[1] + im * s[0]];
+      return Math.hypot(re, im);
+    };
+    for (const [name, coefficients] of [
+      ["Dendrite", [1, -2, 0, 2]],
+      ["Slim dendrite", [1, -2, 0, 0, 2]],
+      ["Spiral of holes", [1, -2, 2, 0, 0, -2, 0, 0, 2]],
+    ] as const) {
+      const found = landmarksOf(2, 0.5).find((one) => one.name === name);
+      expect(value(found?.s ?? [9, 9], [...coefficients])).toBeLessThan(1e-14);
+    }
+    for (const { source, s } of landmarksOf(2, 0.5)) {
+      expect(source).not.toBe("");
+      expect(landmarkAt(landmarksOf(2, 0.5), [s[0] + 1e-12, s[1]])?.s).toEqual(s);
+    }
+    expect(landmarkAt(landmarksOf(2, 0.5), [0.1, 0.1])).toBeUndefined();
+  });
+  it("calls a tree what shares one point: one series of 1, 0 and -1 is 0 there", () => {
+    for (const name of ["Dendrite", "Slim dendrite"]) {
+      const [x, y] = landmarksOf(2, 0.5).find((one) => one.name === name)?.s ?? [9, 9];
+      const size = x * x + y * y;
+      const most = Math.sqrt(size) / (1 - Math.sqrt(size)) + 1e-6;
+      // What is left of the series after so many terms, brought back to the size of the first.
+      let left: Uv[] = [[1, 0]];
+      for (let n = 0; n < 40; n++) {
+        const next: Uv[] = [];
+        for (const [p, q] of left) {
+          for (const c of [-1, 0, 1]) {
+            const rest: Uv = [(p * x + q * y) / size + c, (q * x - p * y) / size];
+            if (
+              Math.hypot(rest[0], rest[1]) < most &&
+              next.every((r) => Math.hypot(r[0] - rest[0], r[1] - rest[1]) > 1e-4)
+            )
+              next.push(rest);
+          }
+        }
+        left = next;
+      }
+      expect(left).toHaveLength(1);
+    }
   });
 });
 

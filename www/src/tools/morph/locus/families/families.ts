@@ -1,6 +1,5 @@
-/** What is known by proof of the polygon families {s z + exp(2 pi i k / n)}, and places worth seeing. */
+/** What is known by proof of the polygon families {s z + exp(2 pi i k / n)}. */
 
-import { lowered } from "#format/parameters";
 import { isPrime } from "#geometry/maps/polygon-family";
 import type { Uv } from "#geometry/path";
 
@@ -46,60 +45,4 @@ export function twins(sides: number, [x, y]: Uv): Uv[] {
     }
   }
   return found;
-}
-
-interface Landmark {
-  name: string;
-  about: string;
-  s: Uv;
-  zoom: number;
-}
-
-const ROOT7 = Math.sqrt(7) / 4;
-
-const OF_M: readonly Landmark[] = [
-  {
-    name: "Twin dragon",
-    about: "s = 1/2 + i/2: the twin dragon, which tiles the plane",
-    s: [0.5, 0.5],
-    zoom: 3,
-  },
-  {
-    name: "Tame dragon",
-    about: "s = 1/4 + i √7/4: the tame twin dragon, the other one that tiles",
-    s: [0.25, ROOT7],
-    zoom: 3,
-  },
-  {
-    name: "Real tip",
-    about: "s = 1/2: a line, and the last real s that holds together",
-    s: [0.5, 0],
-    zoom: 6,
-  },
-  {
-    name: "A bay",
-    about: "s = 0.0227 + 0.703 i: broken, deep in what holds together",
-    s: [0.0227, 0.703],
-    zoom: 300,
-  },
-  {
-    name: "Spiral of holes",
-    about: "Near s = 0.371859 + 0.519411 i: tiny islands of broken shapes, ever smaller, around one point",
-    s: [0.371859, 0.519411],
-    zoom: 1500,
-  },
-];
-
-/** A short list of places to fly to. */
-/** Where the family closes on the real line, `r`, is one of them. */
-export function landmarksOf(sides: number, r: number): readonly Landmark[] {
-  if (sides === 2) return OF_M;
-  return [
-    {
-      name: `r${lowered(sides)}`,
-      about: `The real s at which the ${sides}-gon closes`,
-      s: [r, 0],
-      zoom: 6,
-    },
-  ];
 }

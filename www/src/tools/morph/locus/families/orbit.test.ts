@@ -1,7 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Uv } from "#geometry/path";
-import { placeOf } from "./course";
-import { pointAt } from "./orbit";
+import { centre, placeOf, pointAt, STEPS } from "./course";
 
 describe("the curve that s goes along", () => {
   const s: Uv = [-0.3, -0.4];
@@ -23,6 +22,27 @@ describe("the curve that s goes along", () => {
       // No place along it has no attractor.
       expect(Math.hypot(x, y)).toBeLessThan(1);
     }
+  });
+
+  it("winds into a landmark, by the landmark's own factor at every step", () => {
+    const to: Uv = [0.5, 0.5];
+    centre.value = to;
+    const from: Uv = [0.58, 0.46];
+    const place = placeOf(from, "spiral");
+    const back = pointAt(from, "spiral", place);
+    expect(back[0]).toBeCloseTo(from[0], 12);
+    expect(back[1]).toBeCloseTo(from[1], 12);
+    for (let k = 0; k < STEPS; k++) {
+      const [[x, y], next] = [k, k + 1].map((n) => pointAt(from, "spiral", n / STEPS)) as [Uv, Uv];
+      // (x + i y - s) s, for s = (1 + i)/2.
+      const [dx, dy] = [x - to[0], y - to[1]];
+      expect(next[0]).toBeCloseTo(to[0] + (dx - dy) / 2, 12);
+      expect(next[1]).toBeCloseTo(to[1] + (dx + dy) / 2, 12);
+      expect(Math.hypot(x, y)).toBeLessThan(1);
+    }
+    // The landmark itself is the end of it.
+    expect(placeOf(to, "spiral")).toBe(1);
+    expect(pointAt(to, "spiral", 0).every(Number.isFinite)).toBe(true);
   });
 
   it("tells places from 0 to 1", () => {

@@ -5,23 +5,19 @@ import { whilePlaying } from "#document/frames";
 import { here } from "#document/morph";
 import type { Uv } from "#geometry/path";
 import { type Stretch, stateNear, stretches } from "#geometry/states";
-import { pickPoint, setView, view } from "../view/view";
-import { type Course, course, MOST, placeOf } from "./course";
+import { pickPoint, setView, sides, view } from "../view/view";
+import { courseOf, placeOf, pointAt } from "./course";
 
-const TURN = 2 * Math.PI;
-
-/** The s at a place of the curve through another. */
-export function pointAt([x, y]: Uv, along: Course, part: number): Uv {
-  if (along === "round") {
-    const [size, angle] = [Math.hypot(x, y), TURN * part];
-    return [size * Math.cos(angle), size * Math.sin(angle)];
-  }
-  const [size, angle] = [MOST * part, Math.atan2(y, x)];
-  return [size * Math.cos(angle), size * Math.sin(angle)];
-}
+/** The curve that s goes along. */
+const along = computed(() => courseOf(sides.value));
 
 /** Where the picture's s is on it. */
-export const place: ReadonlySignal<number> = computed(() => placeOf(here.value, course.value));
+export const place: ReadonlySignal<number> = computed(() => placeOf(here.value, along.value));
+
+/** Points of it, evenly spaced. */
+export const curve: ReadonlySignal<readonly Uv[]> = computed(() =>
+  Array.from({ length: SAMPLES }, (_, k) => pointAt(here.value, along.value, k / (SAMPLES - 1))),
+);
 
 const going = signal(false);
 export const orbiting: ReadonlySignal<boolean> = going;
@@ -38,13 +34,13 @@ function step(dt: number): void {
     going.value = false;
     return;
   }
-  let next = placeOf(exact, course.peek()) + (way * dt) / SECONDS;
-  if (course.peek() === "round") next -= Math.floor(next);
+  let next = placeOf(exact, along.peek()) + (way * dt) / SECONDS;
+  if (along.peek() === "round") next -= Math.floor(next);
   else if (next >= 1 || next <= LEAST) {
     way = next >= 1 ? -1 : 1;
     next = Math.min(1, Math.max(LEAST, next));
   }
-  exact = pointAt(exact, course.peek(), next);
+  exact = pointAt(exact, along.peek(), next);
   // As the moment of the morph: no step of undo.
   setView({ at: exact });
 }
@@ -68,8 +64,8 @@ const FINE = 1e6;
 /** By hand: what plays stops. */
 export function orbitTo(to: number): void {
   going.value = false;
-  const least = course.peek() === "ray" ? LEAST : 0;
-  pickPoint(pointAt(here.peek(), course.peek(), Math.min(1, Math.max(least, to))), "orbit", FINE);
+  const least = along.peek() === "ray" ? LEAST : 0;
+  pickPoint(pointAt(here.peek(), along.peek(), Math.min(1, Math.max(least, to))), "orbit", FINE);
 }
 
 /** Samples along the curve. */
@@ -80,8 +76,5 @@ export const orbitBreaks: ReadonlySignal<readonly Stretch[]> = computed(() => {
   const pyramid = locusWindow.value?.pyramid;
   if (pyramid?.family !== "polygon") return [];
   const field = pyramid.read({ u0: -1, v0: -1, u1: 1, v1: 1 }, 1);
-  const points = Array.from({ length: SAMPLES }, (_, k) =>
-    pointAt(here.value, course.value, k / (SAMPLES - 1)),
-  );
-  return stretches(points.map((point) => stateNear(field, point)));
+  return stretches(curve.value.map((point) => stateNear(field, point)));
 });
