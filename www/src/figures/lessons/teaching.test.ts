@@ -16,6 +16,11 @@ function exercisesOf(folder: string): number {
   return new Set(numbers).size;
 }
 
+it("answers each guess among a few in words of its own", () => {
+  for (const [file, source] of Object.entries(sources))
+    if (/<Choices[\s<]/.test(source)) expect(source, file).toContain("<Reply");
+});
+
 it.each(LESSONS.map(({ id, title }) => [id, title]))("%s, %s, has words for teachers", (id) => {
   const folder = id.replace("e", "lesson-");
   const { TEACHING: teaching } = modules[`./${folder}/teaching.ts`] ?? {};

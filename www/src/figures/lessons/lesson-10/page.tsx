@@ -14,7 +14,7 @@ import { boxAround, type Ends } from "../../kit/maps/morphs";
 import { Drawn, middles, PieceNames } from "../../kit/picture/annotated";
 import { oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
-import { Choices } from "../frame/choices";
+import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { Exercises } from "./exercises";
@@ -34,6 +34,12 @@ const MATCHINGS = {
 type Name = keyof typeof MATCHINGS;
 const NAMES: readonly Name[] = ["swap", "same", "round"];
 const LETTERS: Record<Name, string> = { swap: "P", same: "Q", round: "R" };
+
+/** What is said to whoever chose one that breaks. */
+const WRONG = {
+  swap: "In P pieces 1 and 2 have to pass each other. Follow its way on the map below: it crosses the dark.",
+  round: "In R all three pieces go round. Follow its way on the map below: it crosses the dark.",
+} as const;
 
 /** The wrong pairing. */
 export function Page(heading: Heading) {
@@ -131,6 +137,17 @@ function Pairing({ prediction }: { prediction: Prediction<Name> }) {
   const known = NAMES.every((name) => plans[name] !== null);
   const truth = known ? (whole[0] ?? null) : null;
   const broken = NAMES.filter((name) => plans[name] && !plans[name].holds);
+  const options = NAMES.map((name) => ({
+    value: name,
+    label: (
+      <span class={css["pairing"]}>
+        {LETTERS[name]}
+        <Matching matching={MATCHINGS[name]} />
+        <span class={css["pairing-words"]}>{matchingWords(MATCHINGS[name])}</span>
+      </span>
+    ),
+    ...(name === "same" ? {} : { wrong: WRONG[name] }),
+  }));
   return (
     <Question
       prediction={prediction}
@@ -139,6 +156,7 @@ function Pairing({ prediction }: { prediction: Prediction<Name> }) {
           <Truth
             line={`You said ${LETTERS[guess ?? "same"]}. ${whole.map((name) => LETTERS[name]).join(" and ") || "None of them"} holds together.`}
           >
+            <Reply options={options} prediction={prediction} truth={truth} />
             <p>
               With the other pairings Frond finds no way from A to B that does not break; the best it finds
               opens a gap of{" "}
@@ -155,16 +173,7 @@ function Pairing({ prediction }: { prediction: Prediction<Name> }) {
     >
       <Choices<Name>
         ask="Here are three pairings of the dragon’s pieces with those of the gasket. Which of them can be led across in one piece?"
-        options={NAMES.map((name) => ({
-          value: name,
-          label: (
-            <span class={css["pairing"]}>
-              {LETTERS[name]}
-              <Matching matching={MATCHINGS[name]} />
-              <span class={css["pairing-words"]}>{matchingWords(MATCHINGS[name])}</span>
-            </span>
-          ),
-        }))}
+        options={options}
         prediction={prediction}
         truth={shown ? truth : null}
       />

@@ -11,7 +11,7 @@ import { tex } from "../../kit/notation/tex";
 import { Bent } from "../../kit/picture/deformed";
 import { number, oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
-import { Choices } from "../frame/choices";
+import { type Choice, Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { Exercises } from "./exercises";
@@ -19,6 +19,24 @@ import { TEACHING } from "./teaching";
 
 type Guess = "still" | "along" | "alike" | "apart";
 const TRUTH: Guess = "alike";
+const OPTIONS: readonly Choice<Guess>[] = [
+  {
+    value: "still",
+    label: "Nothing: it is too far from the pull",
+    wrong: "In a plain bend it is. Here a point takes the pull of another place, however far that is.",
+  },
+  {
+    value: "along",
+    label: "The corner is shifted as a whole",
+    wrong: "Then all of its parts would have to take one pull. But each has a code of its own.",
+  },
+  { value: "alike", label: "Each triangle is lifted in the middle of its own long side" },
+  {
+    value: "apart",
+    label: "They come apart",
+    wrong: "Triangles that share a corner are given one pull there: look for a crack below.",
+  },
+];
 
 /** Plain or fractal. */
 export function Page(heading: Heading) {
@@ -109,6 +127,7 @@ function What({ prediction }: { prediction: Prediction<Guess> }) {
       }
       answer={
         <Truth line="Every triangle there answers, at every scale, with a lift of its own.">
+          <Reply options={OPTIONS} prediction={prediction} truth={TRUTH} />
           <p>
             With 1 at the lower left, 2 at the right and 3 on top, the parts next to the middle of a long side
             are 23 and 32. A small part next to the middle of a small triangle has a code that ends so: 1123,
@@ -122,12 +141,7 @@ function What({ prediction }: { prediction: Prediction<Guess> }) {
     >
       <Choices<Guess>
         ask="This is the far corner, fifteen times larger, still plainly bent. What becomes of its small triangles when the pull is shuffled so?"
-        options={[
-          { value: "still", label: "Nothing: it is too far from the pull" },
-          { value: "along", label: "The corner is shifted as a whole" },
-          { value: "alike", label: "Each triangle is lifted in the middle of its own long side" },
-          { value: "apart", label: "They come apart" },
-        ]}
+        options={OPTIONS}
         prediction={prediction}
         truth={TRUTH}
       />

@@ -7,7 +7,7 @@ import { gasket } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
 import { oneOf, whole } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
-import { Choices } from "../frame/choices";
+import { type Choice, Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
@@ -22,6 +22,21 @@ const MOST_THROWS = 20_000;
 const MANY_THROWS = 10_000;
 const NAMES = ["lower left", "lower right", "top"] as const;
 type Where = "none" | "middle" | "edges";
+const OPTIONS: readonly Choice<Where>[] = [
+  {
+    value: "none",
+    label: "None: in the end there are marks all over it",
+    wrong:
+      "Chance chooses the corner, and no more: wherever one stands, a throw ends in one of the three half-size triangles.",
+  },
+  { value: "middle", label: "A triangle in the middle" },
+  {
+    value: "edges",
+    label: "A strip along each of the three edges",
+    wrong:
+      "Marks come as near to an edge as you like: throw towards 1 and 2 only, above, and they creep along the bottom.",
+  },
+];
 
 /** The chaos game, thrown by hand. */
 export function Page(heading: Heading) {
@@ -155,6 +170,7 @@ function Empty({ prediction }: { prediction: Prediction<Where> }) {
       }
       answer={
         <Truth line={`Of ${groups(count)} throws, ${game.inMiddle} fell into the middle triangle.`}>
+          <Reply options={OPTIONS} prediction={prediction} truth="middle" />
           <p>
             A throw halves the way to a corner, so it ends in the half-size triangle at that corner. The
             middle triangle is in none of the three. And what holds of the whole holds of each half: its own
@@ -176,11 +192,7 @@ function Empty({ prediction }: { prediction: Prediction<Where> }) {
     >
       <Choices<Where>
         ask="Now somebody throws ten thousand times. Which part of the triangle stays empty?"
-        options={[
-          { value: "none", label: "None: in the end there are marks all over it" },
-          { value: "middle", label: "A triangle in the middle" },
-          { value: "edges", label: "A strip along each of the three edges" },
-        ]}
+        options={OPTIONS}
         prediction={prediction}
         truth="middle"
       />

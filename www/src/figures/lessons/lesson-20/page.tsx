@@ -8,7 +8,7 @@ import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
 import { oneOf } from "../../kit/state/fields";
-import { Choices } from "../frame/choices";
+import { type Choice, Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { Chart, Legend } from "./chart";
@@ -67,6 +67,26 @@ export function Page(heading: Heading) {
   );
 }
 
+const OPTIONS: readonly Choice<Which>[] = [
+  {
+    value: "1",
+    label: "1: it is the nearest to B",
+    wrong: "Near to B, yes; but look at its shape below: a small step from B has opened a gap.",
+  },
+  {
+    value: "2",
+    label: "2: half-way on the straight line",
+    wrong: "Between two whole shapes nothing is promised: look at its shape below.",
+  },
+  { value: "3", label: "3: far from the line" },
+  {
+    value: "none",
+    label: "None of the three",
+    wrong:
+      "Two of them are in pieces. Look at the shape of the third below: its pieces lie across each other.",
+  },
+];
+
 interface WholeProps {
   prediction: Prediction<Which>;
   field: LocusResult | null;
@@ -74,7 +94,7 @@ interface WholeProps {
 }
 
 function Whole({ prediction, field, proved }: WholeProps) {
-  const { guess, shown } = prediction;
+  const { shown } = prediction;
   return (
     <Question
       prediction={prediction}
@@ -86,13 +106,8 @@ function Whole({ prediction, field, proved }: WholeProps) {
         />
       }
       answer={
-        <Truth
-          line={
-            guess === TRUTH
-              ? "Place 3, as you said: the one that is far from both."
-              : "Place 3, and it alone: the one that is far from both."
-          }
-        >
+        <Truth line={"Place 3, and it alone: the one that is far from both."}>
+          <Reply options={OPTIONS} prediction={prediction} truth={TRUTH} />
           <p>
             That a place is near to a whole shape promises nothing. The pieces of B touch in single points, so
             most small changes part them: B lies on the very border of what is whole. At 3 the pieces lie
@@ -104,12 +119,7 @@ function Whole({ prediction, field, proved }: WholeProps) {
     >
       <Choices<Which>
         ask="A and B are both in one piece. Which of the marked places has a shape in one piece, too?"
-        options={[
-          { value: "1", label: "1: it is the nearest to B" },
-          { value: "2", label: "2: half-way on the straight line" },
-          { value: "3", label: "3: far from the line" },
-          { value: "none", label: "None of the three" },
-        ]}
+        options={OPTIONS}
         prediction={prediction}
         truth={TRUTH}
       />

@@ -9,7 +9,7 @@ import { Panel } from "../../kit/frame/panel";
 import { tex } from "../../kit/notation/tex";
 import { oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
-import { Choices } from "../frame/choices";
+import { type Choice, Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { Exercises } from "./exercises";
@@ -20,6 +20,24 @@ import { TEACHING } from "./teaching";
 
 type Guess = "gasket" | "cross" | "holes" | "full";
 const TRUTH: Guess = "full";
+const OPTIONS: readonly Choice<Guess>[] = [
+  {
+    value: "gasket",
+    label: "A triangle full of triangular holes",
+    wrong: "From above its four corners are those of a square. Where in that do the four copies lie?",
+  },
+  {
+    value: "cross",
+    label: "Two crossing lines, and dust around them",
+    wrong: "The two lines are its lowest and its highest edge. But each copy has two such edges of its own.",
+  },
+  {
+    value: "holes",
+    label: "A square full of square holes",
+    wrong: "Four squares of half the size lie in the four corners. How much of the whole is that?",
+  },
+  { value: "full", label: "A square without a hole" },
+];
 const FROM_THE_SIDE: Eye = { turn: 12, tilt: 16 };
 const FROM_ABOVE: Eye = { turn: 0, tilt: 90 };
 
@@ -125,6 +143,7 @@ function Balancing({ prediction }: { prediction: Prediction<Guess> }) {
       }
       answer={
         <Truth line="A square, and not a point of it is missing.">
+          <Reply options={OPTIONS} prediction={prediction} truth={TRUTH} />
           <p>
             Four half-size copies make the tetrahedron, one in each corner. So four half-size copies of the
             shadow make the shadow, one in each of its corners; and seen from above these are the corners of a
@@ -146,12 +165,7 @@ function Balancing({ prediction }: { prediction: Prediction<Guess> }) {
     >
       <Choices<Guess>
         ask="Four half-size copies in the corners of a tetrahedron, each made of four again, without end. It balances on an edge, and the light comes straight from above. What is its shadow on the table?"
-        options={[
-          { value: "gasket", label: "A triangle full of triangular holes" },
-          { value: "cross", label: "Two crossing lines, and dust around them" },
-          { value: "holes", label: "A square full of square holes" },
-          { value: "full", label: "A square without a hole" },
-        ]}
+        options={OPTIONS}
         prediction={prediction}
         truth={TRUTH}
       />

@@ -19,7 +19,7 @@ import { Picture } from "../../kit/picture/picture";
 import { oneOf, point } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { useChannel, useValue, useVerdict } from "../../kit/workers";
-import { Choices } from "../frame/choices";
+import { type Choice, Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
@@ -175,6 +175,21 @@ function foundWords(answer: Connectedness | undefined): string {
   }
 }
 
+const OPTIONS: readonly Choice<Which>[] = [
+  {
+    value: "whole",
+    label: "In one piece",
+    wrong:
+      "Its pieces come near each other, and do not meet. The ring lies in the dark: how wide is the gap?",
+  },
+  {
+    value: "dust",
+    label: "Dust",
+    wrong:
+      "Its pieces do meet, though it may be in a few places only. The ring lies in the light: see why below.",
+  },
+];
+
 interface WhereProps {
   prediction: Prediction<Which>;
   s: Complex;
@@ -189,6 +204,8 @@ function Where({ prediction, s, onS }: WhereProps) {
   const maps = useMemo(() => mapsOf(at), [at]);
   const judged = useVerdict(maps, EXACT);
   const truth = judged?.maps === maps ? kindOf(judged.answer) : null;
+  // What only looks whole makes no guess right or wrong.
+  const proved = judged?.answer.verdict === "touching" ? null : truth;
   const whole = useQuarter(shown);
   const move = ([re, im]: Uv) => {
     const size = Math.hypot(re, im);
@@ -211,6 +228,15 @@ function Where({ prediction, s, onS }: WhereProps) {
           <Truth
             line={`You said ${prediction.guess === "whole" ? "one piece" : "dust"}. At s = ${complexWords(asked)} ${foundWords(judged?.answer)}.`}
           >
+            {proved === null ? (
+              <p>
+                {prediction.guess === "whole"
+                  ? "So it looks, but it is not proved: a gap may be finer still."
+                  : "It does not look so, but nothing is proved: a gap may be finer still."}
+              </p>
+            ) : (
+              <Reply options={OPTIONS} prediction={prediction} truth={proved} />
+            )}
             <p>
               The light part is M, as far as a ten-thousandth of each shape tells; the darker, the wider the
               gap. It is the same on all four sides: turn the sign of the angle, and the shape is mirrored;
@@ -224,12 +250,9 @@ function Where({ prediction, s, onS }: WhereProps) {
     >
       <Choices<Which>
         ask={`Choose an s between the two dashed circles. Inside the inner one, |s| below ½, all is dust; outside the outer one, from 0.7071 on, all is in one piece. What is the shape of s = ${complexWords(at)}?`}
-        options={[
-          { value: "whole", label: "In one piece" },
-          { value: "dust", label: "Dust" },
-        ]}
+        options={OPTIONS}
         prediction={prediction}
-        truth={truth}
+        truth={proved}
       />
     </Question>
   );

@@ -18,7 +18,7 @@ import { Drawn, middles, PieceNames, type Place, Span } from "../../kit/picture/
 import { type Field, list, number, oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { useVerdict } from "../../kit/workers";
-import { Choices } from "../frame/choices";
+import { type Choice, Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
@@ -125,6 +125,24 @@ function Widest({ prediction }: { prediction: Prediction<Gap> }) {
   const [least = 0, , most = 0] = sorted;
   const tree = widest?.upper ?? 0;
   const found = judged?.answer;
+  const options: readonly Choice<Gap>[] = [
+    {
+      value: "least",
+      label: `${fixed(least)}, the least of the three`,
+      wrong: `With steps of ${fixed(least)} you come from 1 to 2, but never to 3.`,
+    },
+    { value: "tree", label: `${fixed(tree)}, the one in the middle` },
+    {
+      value: "widest",
+      label: `${fixed(most)}, the widest of the three`,
+      wrong: `From 2 to 3 it is ${fixed(most)}. But whoever stands on 1 has a shorter step to 3.`,
+    },
+    {
+      value: "sum",
+      label: `${fixed(least + tree)}, the two shorter ones together`,
+      wrong: "You take one step after the other: the widest of them counts, and not how far you go in all.",
+    },
+  ];
   return (
     <Question
       prediction={prediction}
@@ -134,6 +152,7 @@ function Widest({ prediction }: { prediction: Prediction<Gap> }) {
         <Truth
           line={`The gap is ${fixed(tree)}${found === undefined ? "" : `; Frond’s verdict says ${lengthWords(found.gap.upper)}, ${shareWords(shareOf(found))} of the diameter`}.`}
         >
+          <Reply options={options} prediction={prediction} truth="tree" />
           <p>
             From 1 to 2 it is {fixed(least)}. From there to 3 the nearer way is {fixed(tree)}, from piece 1.
             These two steps are a tree that reaches all pieces, so nobody need take the step of {fixed(most)},
@@ -147,12 +166,7 @@ function Widest({ prediction }: { prediction: Prediction<Gap> }) {
     >
       <Choices<Gap>
         ask="Here are three pieces and their distances. You may step from piece to piece as you like, and want to reach all. How wide is the widest step that you cannot avoid?"
-        options={[
-          { value: "least", label: `${fixed(least)}, the least of the three` },
-          { value: "tree", label: `${fixed(tree)}, the one in the middle` },
-          { value: "widest", label: `${fixed(most)}, the widest of the three` },
-          { value: "sum", label: `${fixed(least + tree)}, the two shorter ones together` },
-        ]}
+        options={options}
         prediction={prediction}
         truth="tree"
       />
