@@ -35,9 +35,15 @@ export async function toggleFull(): Promise<void> {
 /** Pixels a side for which the samples of the map in its panel are enough. */
 const PANEL_PIXELS = 307;
 
-/** How much finer than in the panel the map is sampled when it is so many device pixels wide. */
+/** So much of a doubling is let be: three samples for every four pixels are fine enough. */
+const LET_BE = 0.15;
+
+/**
+ * How much finer than in the panel the map is sampled when it is so many device pixels wide: about a sample for each
+ * pixel, as long as the page can paint so many while it is moved.
+ */
 export function detailFor(pixels: number): 1 | 2 | 4 {
-  const times = Math.round(Math.log2(Math.max(1, pixels / PANEL_PIXELS)));
+  const times = Math.max(0, Math.ceil(Math.log2(Math.max(1, pixels / PANEL_PIXELS)) - LET_BE));
   return ([1, 2, 4] as const)[Math.min(2, times)] ?? 1;
 }
 
