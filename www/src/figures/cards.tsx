@@ -15,6 +15,16 @@ function thumb(figure: Figure): ComponentType {
   return found;
 }
 
+/** The small picture of a figure or a lesson. */
+export function Thumbnail({ of }: { of: Figure }) {
+  const Thumb = thumb(of);
+  return (
+    <span class={css["figure-thumb"]} aria-hidden="true">
+      <Thumb />
+    </span>
+  );
+}
+
 interface CardsProps<F extends Figure> {
   figures: readonly F[];
   /** What else is to be said of one. */
@@ -26,13 +36,10 @@ export function Cards<F extends Figure>({ figures, also }: CardsProps<F>) {
   return (
     <ul class={css["cards"]}>
       {figures.map((figure) => {
-        const Thumb = thumb(figure);
         return (
           <li key={figure.id}>
             <a class={css["figure-card"]} href={hrefOf(figure)}>
-              <span class={css["figure-thumb"]} aria-hidden="true">
-                <Thumb />
-              </span>
+              <Thumbnail of={figure} />
               <span class={frameCss["figure-number"]}>{figure.number}</span>
               <strong>{figure.title}</strong>
               <span class={css["about"]}>{figure.about}</span>

@@ -1,4 +1,5 @@
 import { Icon } from "#ui/controls/Icon";
+import { Thumbnail } from "../cards";
 import { hrefOf } from "../list";
 import { LESSONS, type Lesson, UNITS } from "./course";
 import css from "./start.module.css";
@@ -8,6 +9,8 @@ interface Way {
   who: string;
   words: string;
   lessons: readonly string[];
+  /** The lesson whose small picture stands above it. */
+  shown: string;
   /** Whether its lessons are offered as a sheet for a class. */
   sheet?: boolean;
 }
@@ -17,18 +20,21 @@ export const WAYS: readonly Way[] = [
     who: "All of this is new to me",
     words: "In a quarter of an hour you know how three small copies make a shape, and why.",
     lessons: ["e12", "e2", "e1"],
+    shown: "e12",
   },
   {
     who: "I teach, and have forty minutes",
     words:
       "Three lessons with an exercise each. Show them as slides, print the handouts, or send one link to your class.",
     lessons: ["e12", "e2", "e17"],
+    shown: "e2",
     sheet: true,
   },
   {
     who: "I know iterated function systems",
     words: "When is a shape in one piece, what is proved about it, and how is a map of shapes read?",
     lessons: ["e3", "e20", "e21"],
+    shown: "e20",
   },
 ];
 
@@ -40,8 +46,11 @@ export function Ways() {
     <section aria-labelledby="start">
       <h2 id="start">Where to start</h2>
       <ul class={css["ways"]}>
-        {WAYS.map(({ who, words, lessons, sheet }) => (
+        {WAYS.map(({ who, words, lessons, shown, sheet }) => (
           <li key={who}>
+            {lessonsOf([shown]).map((lesson) => (
+              <Thumbnail key={lesson.id} of={lesson} />
+            ))}
             <h3>{who}</h3>
             <p>{words}</p>
             <ol>
