@@ -20,6 +20,8 @@ const KICKS: [(f64, f64); 5] = [(0.96, 0.75), (1.1, 1.3), (0.9, 0.75), (1.0, 1.3
 /// What a descent begins with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beginning {
+    /// Corners of the outline, as corners, and no parabolas.
+    Plain,
     /// Corners of the outline, as corners.
     Corners,
     /// Corners of the outline, as control points.
@@ -38,6 +40,8 @@ pub struct Start {
     pub marks: Vec<usize>,
     pub grid: f64,
     pub greed: f64,
+    /// Whether there may be more parabolas.
+    pub bends: bool,
 }
 
 impl Beginning {
@@ -53,14 +57,17 @@ impl Beginning {
         {
             let place = |node: &Node| Node { at: node.at * spline.grid, ..*node };
             let nodes = spline.nodes.iter().map(place).collect();
-            return Start { nodes, marks, grid: wider * spline.grid, greed };
+            // Where corners alone are best so far, every second kick stays with them.
+            let plain = matches!(self, Self::Kick(kick) if kick % 2 == 0) && spline.corners() == marks.len();
+            return Start { nodes, marks, grid: wider * spline.grid, greed, bends: !plain };
         }
         let free = contest.free_bits().max(64.0);
         let most = (MAX_NODES / 2).min(followed.points().len() / 2);
         let marks = decimated(followed, ((free / NODE_BITS) as usize).max(FEWEST + 2).min(most));
         let place = |&mark: &usize| Node { at: followed.points()[mark], on: self != Self::Bends };
         let nodes = marks.iter().map(place).collect();
-        Start { nodes, marks, grid: 5.6 * contest.outline().diagonal() / free, greed }
+        let grid = 5.6 * contest.outline().diagonal() / free;
+        Start { nodes, marks, grid, greed, bends: self != Self::Plain }
     }
 }
 

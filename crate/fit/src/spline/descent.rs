@@ -29,6 +29,9 @@ const NODES_A_STEP: usize = 16;
 /// The most moves of a node in a row.
 const MOVES: usize = 6;
 
+/// Where a node is moved in one move.
+const NEIGHBOURS: [(i32, i32); 8] = [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)];
+
 /// How far a node is moved, in steps each way, so that a curve crosses itself less.
 const UNTANGLING: i32 = 2;
 
@@ -50,6 +53,8 @@ pub struct Descent {
     kinds: [f64; 2],
     price: f64,
     guarded: bool,
+    /// Whether corners may become control points, and these be added.
+    bends: bool,
     /// How many times that price a bit has in this sweep.
     greed: f64,
     window: Window,
@@ -67,12 +72,12 @@ fn kinds(first: usize, all: usize) -> [f64; 2] {
 
 impl Descent {
     /// Begins with nodes, ten or more, and for each the index of the point beside it, in order. In the first sweep a
-    /// bit is `greed` times as dear as it should be.
+    /// bit is `greed` times as dear as it should be. It may be guarded, and may have more control points than it has.
     pub fn new(
         points: Vec<DVec2>,
         (nodes, marks): (Vec<Node>, Vec<usize>),
         greed: f64,
-        guarded: bool,
+        (guarded, bends): (bool, bool),
     ) -> Self {
         let mut descent = Self {
             points,
@@ -83,6 +88,7 @@ impl Descent {
             kinds: [0.0; 2],
             price: 0.0,
             guarded,
+            bends,
             greed,
             window: Window::default(),
             sweep: 0,
@@ -158,8 +164,13 @@ impl Descent {
 
     /// Squares and bits' price of the window, whose rest was prepared for node k, where they are below `most`.
     fn cost(&mut self, k: usize, most: f64) -> f64 {
+        self.cost_of(k, k, most)
+    }
+
+    /// The same where the rest was prepared for nodes `first` to `last`.
+    fn cost_of(&mut self, first: usize, last: usize, most: f64) -> f64 {
         let bits = self.bits();
-        if bits >= most { bits } else { bits + self.window.squares(k, most - bits) }
+        if bits >= most { bits } else { bits + self.window.squares(first, last, most - bits) }
     }
 
     /// Moves node k of the window from grid point to grid point as long as that helps.
@@ -169,7 +180,7 @@ impl Descent {
         for _ in 0..MOVES {
             let at = self.window.nodes[k].at;
             let mut best = (now, at);
-            for (x, y) in [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)] {
+            for (x, y) in NEIGHBOURS {
                 let place = at + DVec2::new(f64::from(x), f64::from(y));
                 // Seen around where it was before.
                 if before.is_some_and(|before| (place - before).abs().max_element() <= 1.0) {
@@ -221,7 +232,7 @@ impl Descent {
             if met == 0 {
                 continue;
             }
-            self.window.hold_rest(k);
+            self.window.hold_rest(k, k);
             let mut best = (met, f64::INFINITY, old[k]);
             for y in -UNTANGLING..=UNTANGLING {
                 for x in -UNTANGLING..=UNTANGLING {
@@ -273,7 +284,7 @@ impl Descent {
         let from = i + count - REACH;
         self.open(from, from + 2 * REACH);
         let k = REACH + 1;
-        self.window.hold_rest(k);
+        self.window.hold_rest(k, k);
         let old = self.window.nodes.clone();
         let span = (from - 1, old.len());
         let now = self.cost(k, f64::INFINITY);
@@ -286,7 +297,8 @@ impl Descent {
         // A control point lies beyond the curve, a corner on it.
         let neighbours = old[k - 1].at.midpoint(old[k + 1].at);
         let way = if kept.on { kept.at * 1.5 - neighbours * 0.5 } else { kept.at.midpoint(neighbours) };
-        for at in [kept.at, way.round()] {
+        let ways = [kept.at, way.round()];
+        for &at in if self.bends || !kept.on { &ways[..] } else { &[] } {
             self.window.nodes[k] = Node { at, on: !kept.on };
             let cost = self.cost(k, f64::INFINITY);
             let cost = self.shift(k, cost);
@@ -303,6 +315,37 @@ impl Descent {
         true
     }
 
+    /// Tries to move a node and the next one together: the same way, back, or a quarter turned.
+    fn try_pair(&mut self, i: usize) -> bool {
+        let count = self.nodes.len();
+        let from = i + count - REACH;
+        self.open(from, from + 2 * REACH + 1);
+        let k = REACH + 1;
+        self.window.hold_rest(k, k + 1);
+        let old = self.window.nodes.clone();
+        let span = (from - 1, old.len());
+        let mut best = (self.cost_of(k, k + 1, f64::INFINITY), None);
+        for (x, y) in NEIGHBOURS {
+            let by = DVec2::new(f64::from(x), f64::from(y));
+            for way in [by, -by, by.perp(), -by.perp()] {
+                self.window.nodes[k].at = old[k].at + by;
+                self.window.nodes[k + 1].at = old[k + 1].at + way;
+                let cost = self.cost_of(k, k + 1, best.0);
+                if cost < best.0 && self.has_room(span, &self.window.nodes, &old) {
+                    best = (cost, Some([self.window.nodes[k], self.window.nodes[k + 1]]));
+                }
+            }
+        }
+        let Some(pair) = best.1 else { return false };
+        let next = (i + 1) % count;
+        (self.nodes[i], self.nodes[next]) = (pair[0], pair[1]);
+        for k in [i, next] {
+            self.mark(k);
+            self.unsettle(k);
+        }
+        true
+    }
+
     /// Tries to do without a node.
     fn try_drop(&mut self, i: usize) -> bool {
         let count = self.nodes.len();
@@ -313,12 +356,12 @@ impl Descent {
         self.open(from, from + 2 * REACH);
         let old = self.window.nodes.clone();
         let k = REACH + 1;
-        self.window.hold_rest(k);
+        self.window.hold_rest(k, k);
         let now = self.cost(k, f64::INFINITY);
         self.window.nodes.remove(k);
         let mut cost = f64::INFINITY;
         for k in [k - 1, k] {
-            self.window.hold_rest(k);
+            self.window.hold_rest(k, k);
             cost = self.cost(k, f64::INFINITY);
             cost = self.shift(k, cost);
         }
@@ -350,18 +393,18 @@ impl Descent {
         let old = self.window.nodes.clone();
         let span = (from - 1, old.len());
         let k = REACH + 1;
-        self.window.hold_rest(k);
+        self.window.hold_rest(k, k);
         let now = self.cost(k, f64::INFINITY);
         let mut best = now;
         let mut found = None;
         for share in [0.5, 0.25, 0.75] {
             let mark = (first + ((many as f64 * share) as usize).clamp(1, many - 1)) % count;
-            for on in [true, false] {
+            for &on in if self.bends { &[true, false][..] } else { &[true] } {
                 self.window.nodes.clone_from(&old);
                 self.window.nodes.insert(k, Node { at: self.points[mark].round(), on });
                 let mut cost = f64::INFINITY;
                 for k in [k, k - 1, k + 1] {
-                    self.window.hold_rest(k);
+                    self.window.hold_rest(k, k);
                     cost = self.cost(k, f64::INFINITY);
                     cost = self.shift(k, cost);
                 }
@@ -396,7 +439,9 @@ impl Descent {
             }
             seen += 1;
             self.settled[i] = true;
-            self.try_place(i);
+            if !self.try_place(i) {
+                self.try_pair(i);
+            }
             if self.try_drop(i) {
                 continue;
             }
@@ -414,5 +459,38 @@ impl Descent {
         (self.sweep, self.next, self.changes) = (self.sweep + 1, 0, 0);
         self.learn();
         (!done || untangled) && self.sweep < SWEEPS
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::outline::crossings;
+    use crate::spline::Spline;
+
+    #[test]
+    fn what_crosses_itself_is_put_right_near_where_it_was_and_all_else_is_left_alone() {
+        let at =
+            |i: usize, many: usize| DVec2::from_angle(std::f64::consts::TAU * i as f64 / many as f64) * 4.3;
+        let points: Vec<DVec2> = (0..120).map(|i| at(i, 120)).collect();
+        let ring: Vec<Node> = (0..12).map(|i| Node { at: at(i, 12).round(), on: true }).collect();
+        let of = |nodes: Vec<Node>| {
+            let marks = (0..12).map(|i| 10 * i).collect();
+            Descent::new(points.clone(), (nodes, marks), 1.0, (true, true))
+        };
+        let crossed = |descent: &Descent| {
+            let line = Spline { nodes: descent.nodes.clone(), grid: 1.0 }.polyline(16);
+            crossings(&line, 99).map_or(99, |found| found.len())
+        };
+        let mut plain = of(ring.clone());
+        assert!(!plain.untangle() && plain.nodes == ring);
+        let mut tangled = ring;
+        tangled.swap(4, 5);
+        let mut descent = of(tangled.clone());
+        assert!(crossed(&descent) > 0);
+        assert!(descent.untangle());
+        while descent.untangle() {}
+        assert_eq!(crossed(&descent), 0, "{:?}", descent.nodes);
+        assert!(tangled.iter().zip(&descent.nodes).filter(|(a, b)| a != b).count() <= 3);
     }
 }

@@ -28,7 +28,7 @@ const FEW_CORNERS: [usize; 4] = [3, 4, 6, 9];
 const PLAIN_SHARE: f64 = 0.2;
 
 /// What descents begin with, in turn.
-const BEGINNINGS: [Beginning; 3] = [Beginning::Best, Beginning::Corners, Beginning::Bends];
+const BEGINNINGS: [Beginning; 4] = [Beginning::Best, Beginning::Plain, Beginning::Corners, Beginning::Bends];
 
 /// How many grids are tried from one beginning, and after a kick.
 const GRIDS: usize = 4;

@@ -21,6 +21,7 @@ pub struct Grids {
     nodes: Vec<Node>,
     marks: Vec<usize>,
     guarded: bool,
+    bends: bool,
     grid: f64,
     /// How dear a bit is in the first sweep of the first descent.
     greed: f64,
@@ -36,7 +37,7 @@ impl Grids {
     /// On so many grids at most.
     pub fn new(followed: &Outline, contest: &Contest, from: Beginning, most: usize) -> Self {
         let origin = followed.points()[0];
-        let Start { mut nodes, marks, grid, greed } = from.start(followed, contest);
+        let Start { mut nodes, marks, grid, greed, bends } = from.start(followed, contest);
         nodes.iter_mut().for_each(|node| node.at -= origin);
         Self {
             points: followed.points().iter().map(|p| *p - origin).collect(),
@@ -44,6 +45,7 @@ impl Grids {
             nodes,
             marks,
             guarded: contest.guard().is_some_and(Guard::is_strict),
+            bends,
             grid,
             greed,
             fine: 0.0,
@@ -83,7 +85,8 @@ impl Grids {
         let scaled = self.points.iter().map(|p| (*p + off) / self.grid).collect();
         let place = |node: &Node| Node { at: ((node.at + off) / self.grid).round(), ..*node };
         let nodes = self.nodes.iter().map(place).collect();
-        self.descent = Some(Descent::new(scaled, (nodes, self.marks.clone()), self.greed, self.guarded));
+        self.descent =
+            Some(Descent::new(scaled, (nodes, self.marks.clone()), self.greed, (self.guarded, self.bends)));
         self.greed = 1.0;
         true
     }

@@ -119,10 +119,10 @@ impl Window {
         }
     }
 
-    /// Prepares for moves of node k.
-    pub fn hold_rest(&mut self, k: usize) {
-        let last = self.nodes.len() - 2;
-        self.lay((1..=last).filter(|i| i.abs_diff(k) > 1));
+    /// Prepares for moves of nodes `first` to `last`.
+    pub fn hold_rest(&mut self, first: usize, last: usize) {
+        let end = self.nodes.len() - 2;
+        self.lay((1..=end).filter(|i| i + 1 < first || *i > last + 1));
         self.rest.clear();
         for (i, (x, y)) in self.x.iter().zip(&self.y).enumerate() {
             let mut best = [f32::INFINITY; LANES];
@@ -132,11 +132,11 @@ impl Window {
         }
     }
 
-    /// The sum of the squares of the points' distances, where it is below `most`; else at least that. Node k may have
-    /// moved since the rest was prepared for it.
-    pub fn squares(&mut self, k: usize, most: f64) -> f64 {
-        let last = self.nodes.len() - 2;
-        self.lay(k.saturating_sub(1).max(1)..=(k + 1).min(last));
+    /// The sum of the squares of the points' distances, where it is below `most`; else at least that. Nodes `first` to
+    /// `last` may have moved since the rest was prepared for them.
+    pub fn squares(&mut self, first: usize, last: usize, most: f64) -> f64 {
+        let end = self.nodes.len() - 2;
+        self.lay(first.saturating_sub(1).max(1)..=(last + 1).min(end));
         let mut sum = 0.0;
         for (i, rest) in self.rest.iter().enumerate() {
             let mut best = *rest;
@@ -165,7 +165,7 @@ mod tests {
         };
         window.load(points.iter().copied());
         for k in [3, 4, 5] {
-            window.hold_rest(k);
+            window.hold_rest(k, k);
             for at in [place(k), place(k) + DVec2::new(5.0, 20.0), DVec2::new(900.0, -40.0)] {
                 for on in [true, false] {
                     let kept = std::mem::replace(&mut window.nodes[k], Node { at, on });
@@ -175,9 +175,9 @@ mod tests {
                     }
                     let near = Nearest::new(&line, false);
                     let all: f64 = points.iter().map(|&p| near.to(p).squared).sum();
-                    let told = window.squares(k, f64::INFINITY);
+                    let told = window.squares(k, k, f64::INFINITY);
                     assert!((told - all).abs() < 1e-4 * all, "{k} {at} {on}: {told} {all}");
-                    assert!(window.squares(k, 0.5 * all) >= 0.5 * all);
+                    assert!(window.squares(k, k, 0.5 * all) >= 0.5 * all);
                     window.nodes[k] = kept;
                 }
             }

@@ -172,7 +172,8 @@ async function measureWithin(
 /** It was stopped: the best so far is measured, and kept. */
 export async function keepReached(signal: AbortSignal): Promise<void> {
   const now = shownWithin.peek();
-  if (!now) return;
+  // Of fewer or more bytes it is not what was asked for.
+  if (now?.asked !== bytesOf(fitDocument.peek())) return;
   try {
     await measureWithin(now.of, now.asked, now.word, signal);
     // The next time it is asked for, it is looked for again.
