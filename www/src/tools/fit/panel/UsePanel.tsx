@@ -11,7 +11,7 @@ import { plainName } from "../work/name";
 import { running } from "../work/progress";
 import { source } from "../work/source";
 import { stalk } from "../work/stalked";
-import { shownWithin } from "../work/within";
+import { shownWithin, withinDone } from "../work/within";
 
 /** Only what waits can be taken back. */
 const heldFor = (to: Use) => (waiting.value === to ? { pressed: true } : {});
@@ -68,10 +68,9 @@ export function UsePanel() {
           </Button>
         </div>
       )}
-      {spline && (
+      {spline && (withinDone.value?.bends ?? 0) > 0 && (
         <p class="hint">
-          Morphs and bends take corners alone: there its parabolas are short straight sides, which nobody
-          sees.
+          Morphs and bends take corners alone: there its parabolas are straight sides, too short to be seen.
         </p>
       )}
       {!closed && <p class="hint">The closed curve is what is morphed and bent: it has no gaps.</p>}

@@ -84,13 +84,19 @@ export function WithinFigures() {
 function Others({ own, rms, all }: { own: WithinDone; rms: number; all: readonly ByteRival[] | null }) {
   if (!all) return <p class="hint">Others of as many bytes are being fitted …</p>;
   return (
-    <Bars
-      caption={`Error of ${own.asked.toLocaleString("en-GB")} bytes, spent in other ways`}
-      rows={[
-        { name: "Corners and parabolas (Frond)", about: "This fit", rms, own: true },
-        ...all.map(({ method, rms }) => ({ ...BYTE_METHODS[method], rms, own: false })),
-      ]}
-      words={compareBytes(rms, all)}
-    />
+    <>
+      <Bars
+        caption={`Error of ${own.asked.toLocaleString("en-GB")} bytes, spent in other ways`}
+        rows={[
+          { name: "Corners and parabolas (Frond)", about: "This fit", rms, own: true },
+          ...all.map(({ method, rms }) => ({ ...BYTE_METHODS[method], rms, own: false })),
+        ]}
+        words={compareBytes(rms, all)}
+      />
+      <p class="hint">
+        Polylines are packed in the same form. Bézier curves and Fourier descriptors are counted as an ideal
+        coder would write them, so they may take a few bytes more.
+      </p>
+    </>
   );
 }
