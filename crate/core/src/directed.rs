@@ -1,5 +1,7 @@
 //! Graph-directed systems: several shapes, each the union of smaller copies of shapes among them.
 
+pub(crate) mod around;
+pub(crate) mod chain;
 pub(crate) mod chaos_game;
 pub(crate) mod contraction;
 pub(crate) mod cut;

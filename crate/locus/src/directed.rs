@@ -5,3 +5,4 @@ pub(crate) mod connectedness;
 pub(crate) mod extent;
 pub(crate) mod nearest;
 pub(crate) mod shared_points;
+pub(crate) mod tied;

@@ -37,6 +37,7 @@ fn verdicts(found: &[StateConnectedness]) -> Vec<Verdict> {
 fn what_is_known_of_the_presets() {
     use Verdict::{Connected, Touching};
     for (id, verdict, read) in [
+        ("frond", Connected, false),
         ("snowflake", Connected, false),
         ("crystal", Connected, false),
         ("two-dragons", Connected, false),
@@ -58,7 +59,7 @@ fn what_is_known_of_the_presets() {
             assert!(state.gap.lower == 0.0 && state.open_by.is_empty());
         }
     }
-    assert_eq!(directed_presets().len(), 7, "what is new has to be told here");
+    assert_eq!(directed_presets().len(), 8, "what is new has to be told here");
     let pentigree = directed_dimension(&preset("pentigree"), 0).unwrap();
     let golden = f64::midpoint(1.0, 5.0_f64.sqrt());
     assert!((pentigree - 6.0_f64.ln() / (2.0 * golden.ln())).abs() < 1e-9, "{pentigree}");
@@ -207,6 +208,40 @@ fn curves_between_fixed_ends_stay_in_one_piece_on_the_way() {
     let proof = certify_directed(&still, &DirectedCertifyOptions::default());
     assert_eq!(proof.states, [StateOnTheWay::Connected; 2]);
     assert!(!proof.assuming.is_empty());
+}
+
+#[test]
+fn a_fern_becomes_a_leaf_in_one_piece_at_every_moment() {
+    // A polygon with as many corners as leaves have; and an edge that is made of two copies.
+    let corners: Vec<DVec2> = (0..40)
+        .map(|k| {
+            DVec2::from_angle(0.05 * std::f64::consts::PI * f64::from(k)) * (1.0 + 0.2 * f64::from(k % 2))
+        })
+        .collect();
+    let onto = |from: usize, k: usize| {
+        let along = corners[(k + 1) % 40] - corners[k];
+        DirectedMap { from, map: Affine2::new(DMat2::from_cols(along, along.perp()), corners[k]) }
+    };
+    let whole: Vec<DirectedMap> = (0..40).map(|k| onto(1 + usize::from(k == 7), k)).collect();
+    let bent =
+        |z: DVec2, at: DVec2| DirectedMap { from: 2, map: Affine2::new(DMat2::from_cols(z, z.perp()), at) };
+    let top = DVec2::new(0.5, 0.3);
+    let leaf = DirectedIfs::new(vec![
+        whole,
+        vec![line(1, 0.5, 0.0), line(1, 0.5, 0.5)],
+        vec![bent(top, DVec2::ZERO), bent(DVec2::X - top, top)],
+    ])
+    .unwrap();
+    for (from, to) in [(preset("frond"), leaf.clone()), (leaf, preset("frond"))] {
+        let morph = DirectedMorph::new(&from, &to, Mode::Linear).unwrap();
+        let proof = certify_directed(&morph, &DirectedCertifyOptions::default());
+        assert!(proof.states.iter().all(|state| *state == StateOnTheWay::Connected), "{proof:?}");
+        assert!(proof.assuming.is_empty() && proof.moments == 0);
+        // It holds where it is looked at, too.
+        let there = DirectedIfs::new(morph.at(0.4, 0.4)).unwrap();
+        let found = directed_connectedness(&there, &Options::default());
+        assert!(found[0].verdict.holds(), "{:?} {:?}", found[0].verdict, found[0].gap);
+    }
 }
 
 #[test]

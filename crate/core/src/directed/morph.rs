@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::directed::around::Around;
 use crate::directed::error::MAX_STATES;
 use crate::directed::map::DirectedMap;
 use crate::directed::matching::Matching;
@@ -36,9 +37,16 @@ impl DirectedMorphError {
 /// of the other's, and so does what they copy; a state that becomes several is split, and where one has fewer maps some
 /// are doubled. This changes neither shape. States that a shape is not made of are left out, unless the graphs are the
 /// same.
+///
+/// A plain system that grows from a foot to a tip, as ferns do, becomes an outline otherwise: the way around it, up and
+/// down each leaf, becomes the way around the outline. Pieces that follow each other share their feet and
+/// tips then, and in [`Mode::Linear`] they do so all the way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DirectedMorph {
-    matching: Matching,
+    /// Which state of the first becomes which of the last.
+    states: Vec<(usize, usize)>,
+    /// Of each state what its maps copy.
+    arrows: Vec<Vec<usize>>,
     morph: Morph,
     steps: Vec<String>,
 }
@@ -49,23 +57,54 @@ impl DirectedMorph {
     /// # Errors
     /// [`DirectedMorphError`] if the graphs cannot be matched.
     pub fn new(from: &DirectedIfs, to: &DirectedIfs, mode: Mode) -> Result<Self, DirectedMorphError> {
+        if let Some(around) = Around::of(from, to) {
+            return Self::around(&around, false, mode);
+        }
+        if let Some(around) = Around::of(to, from) {
+            return Self::around(&around, true, mode);
+        }
         let matching = Matching::of(from, to).ok_or(DirectedMorphError::TooManyStates)?;
         let (mut first, mut last) = (Vec::new(), Vec::new());
         for (&(i, j), maps) in matching.states.iter().zip(&matching.maps) {
             first.extend(maps.iter().map(|&(p, _, _)| from.states()[i][p].map));
             last.extend(maps.iter().map(|&(_, q, _)| to.states()[j][q].map));
         }
-        let options = MorphOptions { mode, ..MorphOptions::default() };
-        // They are equally many, and nothing else is asked for.
-        let morph = Morph::new(&first, &last, &options).map_err(|_| DirectedMorphError::TooManyStates)?;
         let steps = steps(&matching);
-        Ok(Self { matching, morph, steps })
+        let arrows = matching.maps.iter().map(|maps| maps.iter().map(|&(_, _, from)| from).collect());
+        Ok(Self {
+            arrows: arrows.collect(),
+            morph: between(&first, &last, mode)?,
+            states: matching.states,
+            steps,
+        })
+    }
+
+    /// A plant that becomes an outline, or the other way.
+    fn around(around: &Around, swapped: bool, mode: Mode) -> Result<Self, DirectedMorphError> {
+        let maps = |states: &[Vec<DirectedMap>]| -> Vec<Affine2> {
+            states.iter().flatten().map(|part| part.map).collect()
+        };
+        let (plant, outline) = (maps(&around.plant_maps), maps(&around.outline_maps));
+        let (first, last) = if swapped { (&outline, &plant) } else { (&plant, &outline) };
+        let pair = |&state: &usize| if swapped { (state, 0) } else { (0, state) };
+        let [plant, outline] = if swapped { ["last", "first"] } else { ["first", "last"] };
+        let arrows = around.plant_maps.iter().map(|maps| maps.iter().map(|part| part.from).collect());
+        Ok(Self {
+            arrows: arrows.collect(),
+            states: around.outline.iter().map(pair).collect(),
+            morph: between(first, last, mode)?,
+            steps: vec![format!(
+                "The way around the {plant} shape, up and down its leaves, was parted into {} steps: each is an edge \
+                 of the {outline}.",
+                around.steps
+            )],
+        })
     }
 
     /// Which state of the first system becomes which of the last, a pair for each state on the way.
     #[must_use]
     pub fn states(&self) -> &[(usize, usize)] {
-        &self.matching.states
+        &self.states
     }
 
     /// How the linear parts are interpolated.
@@ -92,11 +131,17 @@ impl DirectedMorph {
     pub fn at(&self, u: f64, v: f64) -> Vec<Vec<DirectedMap>> {
         let maps: Vec<Affine2> = self.morph.at(u, v);
         let mut rest = maps.into_iter();
-        let state = |of: &Vec<(usize, usize, usize)>| {
-            of.iter().zip(rest.by_ref()).map(|(&(_, _, from), map)| DirectedMap { from, map }).collect()
+        let state = |of: &Vec<usize>| {
+            of.iter().zip(rest.by_ref()).map(|(&from, map)| DirectedMap { from, map }).collect()
         };
-        self.matching.maps.iter().map(state).collect()
+        self.arrows.iter().map(state).collect()
     }
+}
+
+/// They are equally many, and nothing is asked for but the mode.
+fn between(first: &[Affine2], last: &[Affine2], mode: Mode) -> Result<Morph, DirectedMorphError> {
+    let options = MorphOptions { mode, ..MorphOptions::default() };
+    Morph::new(first, last, &options).map_err(|_| DirectedMorphError::TooManyStates)
 }
 
 fn steps(matching: &Matching) -> Vec<String> {

@@ -118,6 +118,12 @@ impl DirectedIfs {
         &self.contraction
     }
 
+    /// For each state whether this one is made of it, at any depth; itself too. None where there is no such state.
+    #[must_use]
+    pub fn reached(&self, state: usize) -> Vec<bool> {
+        if state < self.len() { reach::reached(&self.states, state) } else { vec![false; self.len()] }
+    }
+
     /// The states that the shape, state 0, is not made of at any depth: they are not seen in it.
     #[must_use]
     pub fn unreached(&self) -> Vec<usize> {

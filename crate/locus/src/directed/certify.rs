@@ -5,6 +5,7 @@ use glam::DVec2;
 
 use crate::directed::connectedness::directed_connectedness;
 use crate::directed::shared_points::{Arrows, Meeting, Shared, closed};
+use crate::directed::tied::tied;
 use crate::exact::address::Address;
 use crate::exact::quadratic::QuadraticSystem;
 use crate::exact::recognise;
@@ -54,12 +55,16 @@ impl Default for DirectedCertifyOptions {
 ///
 /// *Exactly.* Let all maps move on straight lines: the mode is linear, or the linear parts are the same at both ends.
 /// A point at the end of a way that repeats stays where it is if it, and each further point round that way, is at the
-/// same place at both ends: an equation that is affine in t and holds at 0 and at 1 holds between. Two pieces that
-/// share images of such points at both ends share them always, by the same argument; and where the linear parts stay,
-/// all ends of ways that repeat move on straight lines, so that any two that are one at both ends are one always.
+/// same place at both ends: an equation that is affine in t and holds at 0 and at 1 holds between. Its image moves on
+/// a straight line, or stays too; and so on along a way, as long as one map that moves is all that moves it. Two pieces
+/// that share such points at both ends share them always, by the same argument; and where the linear parts
+/// stay, all ends of ways that repeat move on straight lines, so that any two that are one at both ends are one always.
 /// That all maps between contract is asked for in coordinates that suit both ends. If such points join the pieces
 /// of every state of a set that copies none but its own, all of these are connected at every moment (as
 /// [`directed_connectedness`] says).
+///
+/// Where a plant becomes an outline all this holds of two points that every state has, 0 and (0, 1), and is seen at
+/// once, however many maps there are.
 ///
 /// *Within epsilon.* At a moment the pieces of a state come within some distance of each other. From there to another
 /// moment attractors move by at most `m = max over maps of the step of the map over the other's state, over 1 - f` in
@@ -76,6 +81,13 @@ pub fn certify_directed(morph: &DirectedMorph, options: &DirectedCertifyOptions)
             moments: 0,
         };
     };
+    let straight = morph.mode() == Mode::Linear && contract_between(&first, &last);
+    let tied = closed(&first, &if straight { tied(&first, &last) } else { vec![false; count] });
+    if tied.first() == Some(&true) {
+        let states =
+            tied.iter().map(|tied| if *tied { StateOnTheWay::Connected } else { StateOnTheWay::Open(0.0) });
+        return DirectedCertificate { states: states.collect(), assuming: Vec::new(), moments: 0 };
+    }
     let (exact, assuming) = exactly(morph, &first, &last);
     let mut states: Vec<StateOnTheWay> = exact
         .iter()
@@ -108,21 +120,32 @@ fn exactly(morph: &DirectedMorph, first: &DirectedIfs, last: &DirectedIfs) -> (V
     let diameters: Vec<f64> = Hull::of_states(first).iter().map(Hull::diameter).collect();
     let proposed = from.proposed(&diameters);
     let check = |systems: [&QuadraticSystem; 2], assuming: Vec<String>| {
-        let stays = |way: &Address| {
+        let same = |way: &Address| systems[0].point_in(systems[1], way);
+        let stays = |letter: u8| from.maps[usize::from(letter)] == to.maps[usize::from(letter)];
+        let straight = |way: &Address| {
             // Every turn of what repeats is a point of its own.
             let turned = |k: usize| {
                 let mut repeat = way.repeat.clone();
                 repeat.rotate_left(k);
                 Address { head: Vec::new(), repeat }
             };
-            (0..way.repeat.len()).all(|k| systems[0].point_in(systems[1], &turned(k)))
+            if !(0..way.repeat.len()).all(|k| same(&turned(k))) {
+                return false;
+            }
+            // From there on a point that stays, by a map that moves, goes straight: and stays if it is where it was.
+            let mut moves = false;
+            (0..way.head.len()).rev().all(|k| {
+                let rest = Address { head: way.head[k..].to_vec(), repeat: way.repeat.clone() };
+                let still = stays(way.head[k]);
+                let fine = still || !moves;
+                moves = moves || !(still || same(&rest));
+                fine
+            })
         };
         let holds = |meeting: &Meeting| {
             let [a, b] = &meeting.ways;
-            let short = a.head.len() <= 1 && b.head.len() <= 1;
-            // The end of a longer way moves along a curve, unless the linear parts stay.
-            let straight = kept || (short && stays(a) && stays(b));
-            straight && systems.iter().all(|system| system.coincide(a, b))
+            // Where the linear parts stay, all ways do.
+            (kept || (straight(a) && straight(b))) && systems.iter().all(|system| system.coincide(a, b))
         };
         Shared::checked(&[first, last], &proposed, holds, assuming)
     };
@@ -145,14 +168,16 @@ fn exactly(morph: &DirectedMorph, first: &DirectedIfs, last: &DirectedIfs) -> (V
 }
 
 /// Whether there are coordinates in which the maps of both ends contract, and so, as norms are convex, all that lie
-/// straight between them.
+/// straight between them. A map that no way leads back from contracts in suitable ones, whatever it is.
 fn contract_between(first: &DirectedIfs, last: &DirectedIfs) -> bool {
     let norm = |m| Affine2::new(m, DVec2::ZERO).norm();
+    let reached: Vec<Vec<bool>> = (0..first.len()).map(|state| first.reached(state)).collect();
     [first, last].into_iter().any(|own| {
         let discs = &own.contraction().discs;
         let shrinks = |(into, maps): (usize, &Vec<DirectedMap>)| {
             maps.iter().all(|part| {
-                norm(discs[into].to_round * part.map.linear * discs[part.from].from_round) < 1.0 - 1e-9
+                !reached[part.from][into]
+                    || norm(discs[into].to_round * part.map.linear * discs[part.from].from_round) < 1.0 - 1e-9
             })
         };
         [first, last].into_iter().all(|end| end.states().iter().enumerate().all(shrinks))

@@ -22,6 +22,12 @@ pub fn directed_presets() -> Vec<DirectedPreset> {
     let preset = |id, name, about, states| DirectedPreset { id, name, about, states };
     vec![
         preset(
+            "frond",
+            "Frond",
+            "A fern whose leaves stand in pairs at the end of its stem, so that it is in one piece exactly. It becomes any outline and stays in one.",
+            frond(),
+        ),
+        preset(
             "snowflake",
             "Snowflake",
             "Koch's curve over the three sides of a triangle: an outline of three copies, and the curve that they copy.",
@@ -82,6 +88,22 @@ pub fn directed_presets() -> Vec<DirectedPreset> {
             quilt(),
         ),
     ]
+}
+
+/// A fern of one state from 0 to (0, 1), in numbers that doubles hold: its leaves and the rest of it stand where its
+/// stem ends.
+fn frond() -> Vec<Vec<DirectedMap>> {
+    let at = DVec2::new(-0.031_25, 0.125);
+    let map = |x: [f64; 2], y: DVec2, at: DVec2| DirectedMap {
+        from: 0,
+        map: Affine2::new(DMat2::from_cols(DVec2::from_array(x), y), at),
+    };
+    vec![vec![
+        map([0.0, 0.0], at, DVec2::ZERO),
+        map([0.875, -0.031_25], DVec2::Y - at, at),
+        map([0.234_375, 0.234_375], DVec2::new(-0.265_625, 0.218_75), at),
+        map([-0.218_75, 0.25], DVec2::new(0.265_625, 0.203_125), at),
+    ]]
 }
 
 /// Half the root of 3: the height of a triangle of side 1.
