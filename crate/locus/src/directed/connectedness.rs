@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use crate::connectedness::connectedness;
 use crate::directed::extent::Extent;
-use crate::directed::nearest::{Nearest, Piece, Widest};
+use crate::directed::nearest::{Edge, Nearest, Piece};
 use crate::directed::shared_points::{Arrows, Shared, closed};
 use crate::overlap_graph::OverlapGraph;
 use crate::verdict::{Gap, Options, Verdict};
@@ -105,7 +105,7 @@ pub fn directed_connectedness(system: &DirectedIfs, options: &Options) -> Vec<St
             let mut nodes = look.nodes;
             if proved[state] {
                 verdict = Verdict::Connected;
-                widest = Widest { lower: 0.0, upper: 0.0, ends: None };
+                widest = Edge { lower: 0.0, upper: 0.0, ends: None };
             } else if look.widest.lower > 0.0 {
                 verdict = Verdict::Disconnected;
             } else if held[state] {
@@ -160,7 +160,7 @@ const BRACKET_WIDTH: f64 = 0.01;
 
 /// What is seen of the pieces of a state.
 struct Look {
-    widest: Widest,
+    widest: Edge,
     /// Whether they come within the resolution of each other.
     holds: bool,
     overlaps: Vec<(usize, usize)>,
@@ -174,7 +174,7 @@ impl Look {
         let resolution = resolution(&extents[state], epsilon);
         let mut nearest = Nearest::begin(system, extents, state, &pieces);
         let widest = nearest.bracket(resolution, BRACKET_WIDTH, budget);
-        let limit = nearest.nodes.saturating_add(budget);
+        let limit = nearest.nodes().saturating_add(budget);
         let mut overlaps = Vec::new();
         for i in 0..maps.len() {
             overlaps.extend(
@@ -184,7 +184,7 @@ impl Look {
         let mut graph = OverlapGraph::new(maps.len());
         overlaps.iter().for_each(|&(i, j)| graph.add(i, j));
         let holds = widest.upper <= resolution || graph.is_connected();
-        Self { widest, holds, overlaps, nodes: nearest.nodes }
+        Self { widest, holds, overlaps, nodes: nearest.nodes() }
     }
 }
 
@@ -207,7 +207,7 @@ fn deeper(
     held: &[bool],
     epsilon: f64,
     budget: usize,
-) -> (Option<(Verdict, Widest)>, usize) {
+) -> (Option<(Verdict, Edge)>, usize) {
     let mut pieces = vec![Piece { map: Affine2::IDENTITY, from: state }];
     let mut nodes = 0;
     for _ in 0..MOST_SPLITS {
@@ -225,7 +225,7 @@ fn deeper(
         let mut nearest = Nearest::begin(system, extents, state, &pieces);
         let resolution = resolution(&extents[state], epsilon);
         let widest = nearest.bracket(resolution, BRACKET_WIDTH, budget.saturating_sub(nodes));
-        nodes += nearest.nodes;
+        nodes += nearest.nodes();
         if widest.lower > 0.0 {
             return (Some((Verdict::Disconnected, widest)), nodes);
         }

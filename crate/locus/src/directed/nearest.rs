@@ -1,13 +1,10 @@
-//! How near the pieces of a state come: bounds of the widest edge of the minimum spanning tree.
+//! How near the pieces of a state come.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-
-use frond_core::{Affine2, DirectedIfs, Total};
+use frond_core::{Affine2, DirectedIfs};
 use glam::DVec2;
 
 use crate::directed::extent::Extent;
-use crate::gap::spanning_tree::SpanningTree;
+use crate::gap::pairs::{Near, Pairs, Parts, Sight};
 
 /// A piece: the copy of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,20 +24,9 @@ struct Part {
     parts: u32,
 }
 
-/// A pair of parts of two pieces that may hold their two nearest points: a lower bound of their distance, where it is
-/// positive, otherwise the less the deeper they overlap; and the parts, which ties go by.
-type Open = (Total, u32, u32);
-
-/// The nearest points known of two pieces, in the plane, and their distance with what rounding may add to it.
+/// Bounds of the widest edge of the minimum spanning tree.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Near {
-    pub reach: f64,
-    pub points: [DVec2; 2],
-}
-
-/// Bounds of the widest edge.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Widest {
+pub(crate) struct Edge {
     /// Above 0 only where the pieces are in several parts.
     pub lower: f64,
     pub upper: f64,
@@ -50,20 +36,18 @@ pub(crate) struct Widest {
 
 /// What is known of all pairs of pieces of a state.
 pub(crate) struct Nearest<'a> {
+    pairs: Pairs<DVec2>,
+    count: usize,
+    looking: Looking<'a>,
+}
+
+/// The parts of the pieces, and what is known of the states that they are copies of.
+struct Looking<'a> {
     system: &'a DirectedIfs,
     extents: &'a [Extent],
     /// How far computed points of the pieces may be off.
     off: f64,
-    count: usize,
     parts: Vec<Part>,
-    /// Of each pair `i < j`, at `i * count + j`.
-    open: Vec<BinaryHeap<Reverse<Open>>>,
-    near: Vec<Near>,
-    /// A lower bound of the distances in pairs that are too small to be split.
-    floor: Vec<f64>,
-    tree: SpanningTree,
-    /// Pairs of parts looked at.
-    pub nodes: usize,
 }
 
 /// Directions tried on a pair.
@@ -73,117 +57,46 @@ impl<'a> Nearest<'a> {
     /// Starts with these pieces of a state.
     pub fn begin(system: &'a DirectedIfs, extents: &'a [Extent], state: usize, pieces: &[Piece]) -> Self {
         let count = pieces.len();
-        let pairs = count * count;
-        let unknown = Near { reach: f64::INFINITY, points: [DVec2::ZERO; 2] };
-        let mut this = Self {
-            system,
-            extents,
-            off: extents[state].off,
-            count,
-            parts: Vec::new(),
-            open: vec![BinaryHeap::new(); pairs],
-            near: vec![unknown; pairs],
-            floor: vec![f64::INFINITY; pairs],
-            tree: SpanningTree::default(),
-            nodes: 0,
-        };
+        let mut pairs = Pairs::default();
+        pairs.begin(count);
+        let mut looking = Looking { system, extents, off: extents[state].off, parts: Vec::new() };
         for &piece in pieces {
-            this.add(piece);
+            looking.add(piece);
         }
         for i in 0..count {
             for j in i + 1..count {
                 let pair = i * count + j;
                 if pieces[i] == pieces[j] {
                     let at = pieces[i].map.apply(extents[pieces[i].from].points[0]);
-                    this.near[pair] = Near { reach: 0.0, points: [at; 2] };
+                    pairs.meet(pair, Near { reach: 0.0, points: [at; 2] });
                 } else {
-                    this.file(pair, i as u32, j as u32);
+                    looking.file(&mut pairs, pair, [i as u32, j as u32]);
                 }
             }
         }
-        this
+        Self { pairs, count, looking }
     }
 
-    /// Bounds of the widest edge, refined until the upper one is at most `resolution`, or the lower one is positive
-    /// and within `within` of the upper, or so many pairs were looked at.
-    pub fn bracket(&mut self, resolution: f64, within: f64, budget: usize) -> Widest {
-        let mut fresh = true;
-        let mut widest = Widest { lower: 0.0, upper: f64::INFINITY, ends: None };
-        if self.count < 2 {
-            return Widest { upper: 0.0, ..widest };
-        }
-        loop {
-            if fresh {
-                let Self { tree, near, count, .. } = self;
-                widest.upper = tree.cut(*count, |i, j| {
-                    let (i, j) = (usize::from(i.min(j)), usize::from(i.max(j)));
-                    near[i * *count + j].reach
-                });
-                widest.ends = self.ends(widest.upper);
-                if widest.upper <= resolution {
-                    widest.lower = 0.0;
-                    return widest;
-                }
-            }
-            let (pair, lower) = self.across();
-            widest.lower = lower.clamp(0.0, widest.upper);
-            let close = lower > 0.0 && widest.upper - lower <= within * widest.upper;
-            if close || self.nodes >= budget {
-                return widest;
-            }
-            let before = self.near[pair].reach;
-            if !self.refine(pair) {
-                return widest;
-            }
-            fresh = self.near[pair].reach < before;
-        }
+    /// Bounds of the widest edge, as [`Pairs::bracket`].
+    pub fn bracket(&mut self, resolution: f64, within: f64, budget: usize) -> Edge {
+        let found = self.pairs.bracket(&mut self.looking, resolution, within, budget);
+        let ends = found.pair.map(|pair| self.pairs.near(pair).points);
+        Edge { lower: found.lower, upper: found.upper, ends }
     }
 
     /// Looks at one pair of pieces until it is known whether they come as near as `resolution`: whether they do.
     pub fn settle(&mut self, i: usize, j: usize, resolution: f64, budget: usize) -> bool {
-        let pair = i * self.count + j;
-        while self.near[pair].reach > resolution
-            && self.lower(pair) <= resolution
-            && self.nodes < budget
-            && self.refine(pair)
-        {}
-        self.near[pair].reach <= resolution
+        self.pairs.settle(&mut self.looking, i * self.count + j, resolution, budget)
     }
 
-    /// A lower bound of the distance of two pieces; negative or 0 where they may meet.
-    fn lower(&self, pair: usize) -> f64 {
-        let reach = self.near[pair].reach;
-        self.open[pair].peek().map_or(reach, |Reverse((lower, ..))| lower.0.min(reach)).min(self.floor[pair])
+    /// Pairs of parts looked at.
+    pub const fn nodes(&self) -> usize {
+        self.pairs.nodes
     }
+}
 
-    fn ends(&self, upper: f64) -> Option<[DVec2; 2]> {
-        let pairs = (0..self.near.len()).filter(|pair| pair / self.count < pair % self.count);
-        pairs
-            .filter(|pair| self.tree.beyond[pair / self.count] != self.tree.beyond[pair % self.count])
-            .find(|&pair| self.near[pair].reach == upper)
-            .map(|pair| self.near[pair].points)
-    }
-
-    /// The pair across the widest edge whose lower bound is least, and that bound: no edge that joins the two sides is
-    /// shorter.
-    fn across(&self) -> (usize, f64) {
-        let mut best = (0, f64::INFINITY);
-        for i in 0..self.count {
-            for j in i + 1..self.count {
-                if self.tree.beyond[i] != self.tree.beyond[j] {
-                    let lower = self.lower(i * self.count + j);
-                    if lower < best.1 {
-                        best = (i * self.count + j, lower);
-                    }
-                }
-            }
-        }
-        best
-    }
-
-    /// Splits the larger part of the most promising pair of two pieces; `false` if none is left.
-    fn refine(&mut self, pair: usize) -> bool {
-        let Some(Reverse((_, u, v))) = self.open[pair].pop() else { return false };
+impl Parts<DVec2> for Looking<'_> {
+    fn split(&mut self, pairs: &mut Pairs<DVec2>, pair: usize, [u, v]: [u32; 2]) {
         let first = self.parts[u as usize].size >= self.parts[v as usize].size;
         let large = if first { u } else { v };
         let whole = self.parts[large as usize];
@@ -196,27 +109,26 @@ impl<'a> Nearest<'a> {
             }
         }
         for part in begin..begin + maps.len() as u32 {
-            let (u, v) = if first { (part, v) } else { (u, part) };
-            self.file(pair, u, v);
+            self.file(pairs, pair, if first { [part, v] } else { [u, part] });
         }
-        true
     }
+}
 
+impl Looking<'_> {
     fn add(&mut self, piece: Piece) {
         let size = piece.map.norm() * self.extents[piece.from].diameter;
         self.parts.push(Part { piece, size, parts: 0 });
     }
 
     /// Looks at two parts of a pair of pieces, and keeps them if they may hold the two nearest points.
-    fn file(&mut self, pair: usize, u: u32, v: u32) {
-        self.nodes += 1;
-        let [first, second] = [u, v].map(|k| self.parts[k as usize]);
+    fn file(&self, pairs: &mut Pairs<DVec2>, pair: usize, parts: [u32; 2]) {
+        pairs.nodes += 1;
+        let [first, second] = parts.map(|k| self.parts[k as usize]);
         let (a, b) = (first.piece.map, second.piece.map);
         let [inner_a, inner_b] = [first, second].map(|part| &self.extents[part.piece.from]);
         let middle = |map: Affine2, extent: &Extent| map.apply(extent.points[0]);
         let mut step = middle(b, inner_b) - middle(a, inner_a);
         let (mut lower, mut depth) = (f64::NEG_INFINITY, 0.0_f64);
-        let near = &mut self.near[pair];
         for round in 0..DIRECTIONS_PER_PAIR {
             let normal = step.try_normalize().unwrap_or(DVec2::X);
             let (pulled_a, pulled_b) = (a.linear.transpose() * normal, -(b.linear.transpose() * normal));
@@ -230,11 +142,8 @@ impl<'a> Nearest<'a> {
                 depth.max(1.0 + (along - far_a - far_b) / (first.size + second.size).max(f64::MIN_POSITIVE));
             let points = [a.apply(inner_a.farthest(pulled_a)), b.apply(inner_b.farthest(pulled_b))];
             let between = points[1] - points[0];
-            let reach = between.length() + 2.0 * self.off;
-            if reach < near.reach {
-                *near = Near { reach, points };
-            }
-            if lower > near.reach {
+            pairs.meet(pair, Near { reach: between.length() + 2.0 * self.off, points });
+            if lower > pairs.near(pair).reach {
                 return;
             }
             if round + 1 < DIRECTIONS_PER_PAIR {
@@ -247,19 +156,7 @@ impl<'a> Nearest<'a> {
                 step -= turn * (step.dot(turn) / size).clamp(0.0, 1.0);
             }
         }
-        let key = if lower > 0.0 { lower } else { depth.clamp(0.0, 1.0) - 1.0 };
-        if key > near.reach {
-            return;
-        }
-        // Smaller than rounding there is nothing to see.
-        if first.size.max(second.size) > 0.25 * self.off {
-            self.open[pair].push(Reverse((Total(key), u, v)));
-        } else {
-            // As far as floating point tells each is a point.
-            self.floor[pair] = self.floor[pair].min(key);
-            if lower <= 0.0 {
-                near.reach = near.reach.min(4.0 * self.off);
-            }
-        }
+        let sight = Sight { lower, depth, size: first.size.max(second.size) };
+        pairs.keep(pair, parts, &sight, self.off);
     }
 }

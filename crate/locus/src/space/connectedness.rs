@@ -83,11 +83,10 @@ fn decided(maps: &[Affine3], contraction: &Contraction3, options: &Options) -> C
         Verdict::Undecided
     };
     // Which of the pieces in one component meet as well.
-    let limit = closest.nodes.saturating_add(options.budget);
+    let limit = closest.nodes().saturating_add(options.budget);
     let mut graph = OverlapGraph::new(count);
     for pair in (0..count * count).filter(|pair| pair / count < pair % count) {
-        closest.settle(&frame, &table, pair, resolution, limit);
-        if closest.nearest[pair].reach <= resolution {
+        if closest.settle(&frame, &table, pair, resolution, limit) {
             graph.add(pair / count, pair % count);
         }
     }
@@ -95,7 +94,7 @@ fn decided(maps: &[Affine3], contraction: &Contraction3, options: &Options) -> C
         let pairs = reason.points.iter().map(|point| point.pair).chain(reason.volumes.iter().copied());
         pairs.for_each(|(i, j)| graph.add(i, j));
     }
-    let widest = found.widest.map(|pair| closest.nearest[pair]).filter(|_| !proved);
+    let widest = found.pair.map(|pair| closest.near(pair).points).filter(|_| !proved);
     let gap = if proved { Gap::default() } else { Gap { lower: found.lower, upper: found.upper } };
     Connectedness3 {
         verdict,
@@ -103,9 +102,9 @@ fn decided(maps: &[Affine3], contraction: &Contraction3, options: &Options) -> C
         overlaps: graph.edges(),
         components: graph.components().labels(),
         count: graph.components().count(),
-        closest: widest.map(|nearest| (frame.to_space(nearest.from), frame.to_space(nearest.to))),
+        closest: widest.map(|[from, to]| (frame.to_space(from), frame.to_space(to))),
         diameter,
-        nodes: closest.nodes,
+        nodes: closest.nodes(),
         reason,
     }
 }
