@@ -3,7 +3,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import init, * as directed from "../../www/pkg/frond-directed.js";
 
 /** What README.md promises of `frond/directed`. */
-const PROMISED = `directedPresets directedFacts directedAttractor rasterizeDirected directedConnectedness matchDirected
+const PROMISED = `directedPresets outlineShape directedFacts directedAttractor rasterizeDirected directedConnectedness matchDirected
   interpolateDirected certifyDirected digitShape gridIntersection`;
 
 type System = Parameters<typeof directed.directedFacts>[0];
@@ -40,6 +40,29 @@ describe("graph-directed systems", () => {
       (name) => typeof (directed as Record<string, unknown>)[name] !== "function",
     );
     expect(missing).toEqual([]);
+  });
+
+  it("are closed curves, as large as what they become, which a fern becomes in one piece", () => {
+    const fern = preset("frond");
+    const knots: [number, number][] = Array.from({ length: 24 }, (_, k) => {
+      const radius = k % 2 === 0 ? 300 : 180;
+      return [radius * Math.cos((Math.PI * k) / 12), radius * Math.sin((Math.PI * k) / 12)];
+    });
+    const edges = knots.map((_, k) => (k === 5 ? { from: 8, span: 2, reversed: true, c: 0.5 } : null));
+    const star = directed.outlineShape("Star", { knots, edges }, [0, 0, 1, 1]);
+    expect(star).toMatchObject({ name: "Star", outline: expect.stringMatching(/^[\w-]+$/) });
+    const [whole] = directed.directedFacts(star).states;
+    expect(whole?.max[1]).toBeCloseTo(1, 2);
+    expect(whole?.min[1]).toBeCloseTo(0, 2);
+    expect(directed.matchDirected(fern, star).steps).toEqual([expect.stringMatching(/parted into 24 steps/)]);
+    expect(directed.certifyDirected(fern, star, { mode: "linear" })).toMatchObject({
+      states: expect.arrayContaining([{ kind: "connected" }]),
+      assuming: [],
+      moments: 0,
+    });
+    const half = directed.interpolateDirected(fern, star, { u: 0.5, v: 0.5, mode: "linear" });
+    expect(directed.directedFacts(half).states.length).toBeGreaterThan(2);
+    expect(refused(() => directed.outlineShape("None", { knots: [], edges: [] }))).not.toBe("");
   });
 
   it("are described, sampled and drawn", () => {

@@ -3,5 +3,5 @@
 mod document;
 mod preset;
 
-pub use document::{Directed, DirectedCopy, DirectedShape};
+pub use document::{Directed, DirectedCopy, DirectedShape, OutlineError};
 pub use preset::{DirectedPreset, directed_presets};

@@ -24,7 +24,7 @@ mod space;
 
 pub use curve::{Curve, CurveEdge, CurveShape, Curves};
 pub use deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
-pub use directed::{Directed, DirectedCopy, DirectedPreset, DirectedShape, directed_presets};
+pub use directed::{Directed, DirectedCopy, DirectedPreset, DirectedShape, OutlineError, directed_presets};
 pub use fit::{
     BYTES, Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS, SplineShape,
     USUAL_BYTES,

@@ -656,6 +656,8 @@ export interface DirectedPreset {
 export interface DirectedShape extends DirectedIfs {
   preset?: string;
   name: string;
+  /** The closed curve that the states are made of, packed as in links, while they are. */
+  outline?: string;
 }
 
 /** Where the states of a graph-directed system lie, and how they are made of each other. */

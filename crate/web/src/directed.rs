@@ -6,12 +6,14 @@ use frond_core::{
     Affine2, DirectedError, DirectedGame, DirectedIfs, DirectedMap, DirectedMorph, Hull, MAX_MAPS,
     MAX_STATES, Mode, directed_dimension,
 };
+use frond_fit::{ClosedCurve, MAX_KNOTS, PackError};
 use frond_locus::{
     DirectedCertifyOptions, Options, StateOnTheWay, certify_directed as certify,
     directed_connectedness as decide,
 };
 use frond_render::{DirectedColours, DirectedOptions, View, rasterize_directed as draw};
-use frond_scene::directed_presets as presets;
+use frond_scene::{Curve, DirectedShape, directed_presets as presets};
+use glam::DVec2;
 use js_sys::{Array, Float32Array, Reflect, Uint8Array, Uint8ClampedArray};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
@@ -74,6 +76,40 @@ pub fn directed_presets() -> Result<JsValue, JsValue> {
         ]));
     }
     Ok(all.into())
+}
+
+/// A closed curve as a graph-directed shape whose states run from point to point, so that ferns become it in one piece:
+/// as high as `box` and on its lower side, in its middle, where that is given.
+#[wasm_bindgen(js_name = outlineShape, unchecked_return_type = "DirectedShape")]
+pub fn outline_shape(
+    name: &str,
+    #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
+    #[wasm_bindgen(
+        js_name = "box",
+        unchecked_optional_param_type = "[x0: number, y0: number, x1: number, y1: number]"
+    )]
+    within: JsValue,
+) -> Result<JsValue, JsValue> {
+    for key in ["knots", "edges"] {
+        let list = Reflect::get(&curve, &key.into()).unwrap_or(JsValue::UNDEFINED);
+        if longer_than(&list, MAX_KNOTS).is_some() {
+            let error = PackError::TooManyKnots;
+            return Err(failure(error.code(), &error.to_string()));
+        }
+    }
+    let plain: Curve = read("The curve", curve)?;
+    let mut curve = ClosedCurve::from(&plain);
+    let within: Option<[f64; 4]> = read("The box", within)?;
+    if let Some([x0, y0, x1, y1]) = within {
+        let low = curve.knots.iter().copied().fold(DVec2::INFINITY, DVec2::min);
+        let high = curve.knots.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
+        let scale = (y1 - y0) / (high.y - low.y);
+        let foot = DVec2::new(0.5 * (low.x + high.x), low.y);
+        let at = DVec2::new(0.5 * (x0 + x1), y0);
+        curve.knots.iter_mut().for_each(|knot| *knot = (*knot - foot) * scale + at);
+    }
+    let shape = DirectedShape::of_outline(name, &curve);
+    write(&shape.map_err(|error| failure(error.code(), &error.to_string()))?)
 }
 
 /// Where the states of a graph-directed system lie, their dimensions, and which of them the shape (state 0) is not made

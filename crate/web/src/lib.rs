@@ -125,8 +125,8 @@ const EXCHANGE_TYPES: &str =
 #[cfg(all(feature = "directed", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
 const DIRECTED_TYPES: &str = r#"import type {
-  DigitSystem, DirectedCertificate, DirectedFacts, DirectedIfs, DirectedMatch, DirectedPreset, DirectedRasterOptions,
-  GridIntersection, PointCloud, StateConnectedness
+  Curve, DigitSystem, DirectedCertificate, DirectedFacts, DirectedIfs, DirectedMatch, DirectedPreset,
+  DirectedRasterOptions, DirectedShape, GridIntersection, PointCloud, StateConnectedness
 } from "./frond.js";"#;
 
 /// So do closed curves and graphs.

@@ -1,7 +1,9 @@
 //! Graph-directed shapes in a document.
 
 use frond_core::{Affine2, DirectedError, DirectedIfs, DirectedMap, MAX_MAPS, MAX_STATES};
+use frond_fit::{ClosedCurve, PackError};
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use super::preset::directed_presets;
 use crate::preset::Row;
@@ -25,6 +27,9 @@ pub struct DirectedShape {
     pub name: String,
     /// Its states, each as its maps; the first is the shape that is meant.
     pub states: Vec<Vec<DirectedCopy>>,
+    /// The closed curve that the states are made of, as links have it, while they are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outline: Option<String>,
 }
 
 impl DirectedShape {
@@ -32,9 +37,32 @@ impl DirectedShape {
     #[must_use]
     pub fn of_preset(id: &str) -> Option<Self> {
         let found = directed_presets().into_iter().find(|preset| preset.id == id)?;
-        let copy = |part: &DirectedMap| DirectedCopy { from: part.from, map: part.map.to_row() };
-        let states = found.states.iter().map(|maps| maps.iter().map(copy).collect()).collect();
-        Some(Self { preset: Some(found.id.to_owned()), name: found.name.to_owned(), states })
+        Some(Self {
+            preset: Some(found.id.to_owned()),
+            name: found.name.to_owned(),
+            states: written(&found.states),
+            outline: None,
+        })
+    }
+
+    /// A closed curve as a shape of several states, which run from point to point
+    /// ([`ClosedCurve::to_chain`]).
+    ///
+    /// # Errors
+    /// [`OutlineError`] where it cannot be packed or has too many edges.
+    pub fn of_outline(name: &str, curve: &ClosedCurve) -> Result<Self, OutlineError> {
+        let text = curve.to_text()?;
+        Self::of_text(name, &text)
+    }
+
+    /// The shape of a closed curve that is packed as in links.
+    ///
+    /// # Errors
+    /// [`OutlineError`] where it is no curve or has too many edges.
+    pub fn of_text(name: &str, text: &str) -> Result<Self, OutlineError> {
+        let curve = ClosedCurve::from_text(text)?;
+        let states = written(&curve.chain_states()?);
+        Ok(Self { preset: None, name: name.to_owned(), states, outline: Some(curve.to_text()?) })
     }
 
     /// Its system.
@@ -65,6 +93,33 @@ impl DirectedShape {
         }
         let map = |part: &DirectedCopy| DirectedMap { from: part.from, map: Affine2::from_row(part.map) };
         Ok(self.states.iter().map(|maps| maps.iter().map(map).collect()).collect())
+    }
+}
+
+fn written(states: &[Vec<DirectedMap>]) -> Vec<Vec<DirectedCopy>> {
+    let copy = |part: &DirectedMap| DirectedCopy { from: part.from, map: part.map.to_row() };
+    states.iter().map(|maps| maps.iter().map(copy).collect()).collect()
+}
+
+/// Why a closed curve is no shape of several states.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum OutlineError {
+    /// It cannot be packed, or what was packed is no curve.
+    #[error(transparent)]
+    Pack(#[from] PackError),
+    /// It takes more states than there may be.
+    #[error(transparent)]
+    States(#[from] DirectedError),
+}
+
+impl OutlineError {
+    /// A name that stays the same over versions, for programs.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::Pack(error) => error.code(),
+            Self::States(error) => error.code(),
+        }
     }
 }
 

@@ -2,7 +2,10 @@
 //!
 //! ```text
 //! directed-a=snowflake&directed-b=states:2,0.5,0,0,0.5,0,0;..:1,..&directed-b-name=My%20own
+//! directed-a=frond&directed-b=curve:Af3..&directed-b-name=Oak
 //! ```
+//!
+//! A closed curve is packed as those of `curve-a` are.
 //!
 //! States are parted by colons, their maps by semicolons; a map is the number of the state that it copies, from 1, and
 //! its six numbers.
@@ -31,10 +34,20 @@ fn write_one(link: &mut String, (key, name_key, _): Keys, shape: &DirectedShape)
         let _ = write!(link, "&{key}={id}");
         return;
     }
+    let packed = shape.outline.as_deref().and_then(|text| DirectedShape::of_text("", text).ok());
+    if let Some(text) = packed.filter(|found| found.states == shape.states).and_then(|found| found.outline) {
+        let _ = write!(link, "&{key}=curve:{text}");
+        write_name(link, name_key, shape);
+        return;
+    }
     let copy = |part: &DirectedCopy| format!("{},{}", part.from.saturating_add(1), numbers(&part.map));
     let state = |maps: &Vec<DirectedCopy>| maps.iter().map(copy).collect::<Vec<_>>().join(";");
     let states: Vec<String> = shape.states.iter().map(state).collect();
     let _ = write!(link, "&{key}=states:{}", states.join(":"));
+    write_name(link, name_key, shape);
+}
+
+fn write_name(link: &mut String, name_key: &str, shape: &DirectedShape) {
     let name = tidy(&shape.name);
     if !name.is_empty() {
         let _ = write!(link, "&{name_key}={}", escape(&name));
@@ -66,15 +79,18 @@ fn read_one<'a>(
     (key, name_key, end): Keys,
 ) -> Result<Option<DirectedShape>, LinkError> {
     let Some(text) = get(key) else { return Ok(None) };
+    let name = get(name_key).map(unescape).map(|name| tidy(&name)).filter(|name| !name.is_empty());
+    let name = name.unwrap_or_else(|| "Own shape".to_owned());
+    if let Some(packed) = text.strip_prefix("curve:") {
+        return DirectedShape::of_text(&name, packed).map(Some).map_err(|_| damaged(key, text));
+    }
     let Some(states) = text.strip_prefix("states:") else {
         return DirectedShape::of_preset(text).map(Some).ok_or_else(|| damaged(key, text));
     };
     // One more than there may be is enough to be told so.
     let states: Result<Vec<_>, LinkError> =
         states.split(':').take(MAX_STATES + 1).map(|maps| read_state(key, maps)).collect();
-    let name = get(name_key).map(unescape).map(|name| tidy(&name)).filter(|name| !name.is_empty());
-    let name = name.unwrap_or_else(|| "Own shape".to_owned());
-    let shape = DirectedShape { preset: None, name, states: states? };
+    let shape = DirectedShape { preset: None, name, states: states?, outline: None };
     match shape.refuse_obvious() {
         Ok(()) => Ok(Some(shape)),
         Err(source) => Err(LinkError::Directed { end, source }),

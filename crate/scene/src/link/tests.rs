@@ -79,7 +79,7 @@ fn any_directed() -> impl Strategy<Value = DirectedShape> {
         states.iter_mut().flatten().for_each(|copy| copy.from %= count);
         let name = tidy(&name);
         let name = if name.is_empty() { "Own shape".to_owned() } else { name };
-        DirectedShape { preset: None, name, states }
+        DirectedShape { preset: None, name, states, outline: None }
     });
     let gallery = proptest::sample::select(crate::directed_presets())
         .prop_map(|preset| DirectedShape::of_preset(preset.id).unwrap());
@@ -678,6 +678,27 @@ fn graph_directed_shapes_read_like_words() {
 }
 
 #[test]
+fn outlines_among_graph_directed_shapes_are_packed() {
+    let curve = frond_fit::curve_presets().remove(0).curve;
+    let leaf = DirectedShape::of_outline("Leaf", &curve).unwrap();
+    assert_eq!(leaf.system().unwrap().len(), leaf.states.len());
+    let fern = DirectedShape::of_preset("frond").unwrap();
+    let mut scene = Scene { directed: Some(Directed { a: fern, b: leaf.clone() }), ..Scene::default() };
+    let link = encode(&scene);
+    assert!(link.contains("&directed-a=frond&directed-b=curve:") && link.len() < 2000, "{link}");
+    let (again, problem) = decode(&link);
+    assert_eq!((again.directed, problem), (scene.directed.clone(), None));
+    // What is edited is no longer that curve.
+    if let Some(directed) = &mut scene.directed {
+        directed.b.states[0][0].map[4] += 0.5;
+    }
+    let edited = encode(&scene);
+    assert!(edited.contains("&directed-b=states:"), "{}", edited.len());
+    let (_, damaged) = decode("v=1&directed-a=frond&directed-b=curve:zzzz");
+    assert_eq!(damaged.map(|problem| problem.code()), Some("link-damaged"));
+}
+
+#[test]
 fn graph_directed_shapes_that_cannot_be_are_told_of() {
     let half = "0.5,0,0,0.5,0,0";
     let many = |one: &str, by: &str| vec![one; 65].join(by);
@@ -721,7 +742,8 @@ fn graph_directed_shapes_that_cannot_be_are_told_of() {
 #[test]
 fn the_largest_graph_is_told_to_be_too_long_for_a_link() {
     let copy = DirectedCopy { from: 63, map: [-0.123_456_789_012_345_67e-7; 6] };
-    let large = DirectedShape { preset: None, name: String::new(), states: vec![vec![copy; 64]; 64] };
+    let large =
+        DirectedShape { preset: None, name: String::new(), states: vec![vec![copy; 64]; 64], outline: None };
     assert!(large.system().is_ok());
     let small = DirectedShape::of_preset("quilt").unwrap();
     let scene = Scene { directed: Some(Directed { a: large, b: small }), ..Scene::default() };
