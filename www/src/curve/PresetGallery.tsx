@@ -4,7 +4,7 @@ import { originOf, presets } from "#document/presets";
 import { standIn } from "#document/stand-in";
 import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
-import type { Preset, Shape } from "#wasm/api";
+import type { DirectedShape, Preset, Shape } from "#wasm/api";
 import { OwnShapes } from "./OwnShapes";
 import css from "./own-shapes.module.css";
 import { Shelf } from "./parts";
@@ -18,6 +18,8 @@ interface PresetGalleryProps {
   /** What is good about a shape. */
   markOf?: (preset: Preset) => string | null;
   onChoose: (shape: Shape) => void;
+  /** Where shapes of several states can be chosen, too. */
+  onDirected?: (shape: DirectedShape) => void;
   onClose: () => void;
   /** Why shapes of maps do not go with what is there: then outlines come first. */
   apart?: string | null;
@@ -33,6 +35,7 @@ export function PresetGallery({
   now,
   markOf,
   onChoose,
+  onDirected,
   onClose,
   apart = null,
   more,
@@ -51,7 +54,17 @@ export function PresetGallery({
           <p class="hint">{apart}</p>
         </>
       )}
-      <OwnShapes onChoose={take} />
+      <OwnShapes
+        onChoose={take}
+        {...(onDirected
+          ? {
+              onDirected: (shape) => {
+                onDirected(shape);
+                onClose();
+              },
+            }
+          : {})}
+      />
       <ShapeGrid
         presets={presets()}
         pictures={thumbnails.value}

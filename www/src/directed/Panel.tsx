@@ -2,7 +2,7 @@ import { computed } from "@preact/signals";
 import { useState } from "preact/hooks";
 import { directedAtBoth, type End, sameDirected, setStates, swapDirected } from "#document/directed/changes";
 import { directedShapes } from "#document/directed/directed";
-import { announce } from "#document/notice";
+import { announce, notify } from "#document/notice";
 import { edit, endGesture, scene } from "#document/scene";
 import { BackToSystems } from "#stage/curve/BackToSystems";
 import { directedProblem, wayFacts } from "#stage/directed/known";
@@ -106,6 +106,15 @@ function Card({ end, editing, onEdit, choose }: CardProps) {
         label={`More for shape ${upper}`}
         items={[
           { label: "Choose another …", icon: "grid", onSelect: () => choose(end) },
+          {
+            label: "Keep this shape",
+            icon: "check",
+            onSelect: async () => {
+              const { keepDirected } = await import("#document/own-shapes");
+              const text = keepDirected(shape) ?? `${shape.name} is kept: it is in the gallery, under Yours.`;
+              notify({ kind: "info", text });
+            },
+          },
           {
             label: `Use as ${other} too`,
             icon: "copy",

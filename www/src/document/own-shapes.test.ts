@@ -43,6 +43,18 @@ it("renames and removes the one that is meant", async () => {
   expect(ownShapes.value.map(({ name }) => name)).toEqual(["Mine"]);
 });
 
+it("keeps shapes of several states, and none that are no such", async () => {
+  const { keepDirected, ownShapes, readShapes } = await opened();
+  const half = (from: number) => ({ from, map: HALF.maps[0] as (typeof HALF.maps)[number] });
+  const states = [[half(1), half(0)], [half(1)]];
+  expect(keepDirected({ preset: "twins", name: "Twins", states, outline: "Af3" })).toBeNull();
+  const [kept] = ownShapes.value;
+  expect(kept).toMatchObject({ name: "Twins", maps: [], states, outline: "Af3" });
+  expect(readShapes(JSON.stringify(ownShapes.value))).toEqual(ownShapes.value);
+  for (const wrong of [[], [[]], [[half(2)], [half(0)]], [[{ from: 0, map: [1] }]]])
+    expect(readShapes(JSON.stringify([{ ...kept, states: wrong }]))).toEqual([]);
+});
+
 it("says so where there is no room, and has the shape all the same", async () => {
   const { keepShape, ownShapes } = await opened();
   isFull = true;

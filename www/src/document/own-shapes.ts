@@ -1,17 +1,22 @@
 /** Shapes that a person keeps, in this browser: the gallery lists them beside its own. */
 import { type ReadonlySignal, signal } from "@preact/signals";
-import type { MapRow, Shape } from "#wasm/api";
+import type { DirectedMap, DirectedShape, MapRow, Shape } from "#wasm/api";
 
 export interface OwnShape {
   id: string;
   name: string;
   maps: MapRow[];
   weights?: number[];
+  /** Of a graph-directed shape, which has no maps but these. */
+  states?: DirectedMap[][];
+  /** The closed curve that its states are made of, packed. */
+  outline?: string;
 }
 
 const KEY = "frond.shapes";
 const MOST_SHAPES = 60;
 const MOST_MAPS = 64;
+const MOST_STATES = 64;
 /** Characters; a link keeps no more of a name. */
 export const LONGEST_NAME = 60;
 
@@ -22,14 +27,18 @@ export const ownShapes: ReadonlySignal<readonly OwnShape[]> = kept;
 
 /** Keeps a shape as it is now. What stands in the way of that comes back in words. */
 export function keepShape({ name, maps, weights }: Shape): string | null {
+  return keep({ name, maps, ...(weights ? { weights } : {}) });
+}
+
+/** The same with a shape of several states. */
+export function keepDirected({ name, states, outline }: DirectedShape): string | null {
+  return keep({ name, maps: [], states, ...(outline === undefined ? {} : { outline }) });
+}
+
+function keep(shape: Omit<OwnShape, "id">): string | null {
   if (kept.peek().length >= MOST_SHAPES)
     return `There are ${MOST_SHAPES} shapes of yours, and no more are kept. Remove one first.`;
-  const one = {
-    id: crypto.randomUUID(),
-    name: name.slice(0, LONGEST_NAME),
-    maps,
-    ...(weights ? { weights } : {}),
-  };
+  const one = { id: crypto.randomUUID(), ...shape, name: shape.name.slice(0, LONGEST_NAME) };
   return save([one, ...kept.peek()]);
 }
 
@@ -66,8 +75,12 @@ export function readShapes(text: string | null): OwnShape[] {
 
 function sound(row: unknown): OwnShape | null {
   if (typeof row !== "object" || row === null) return null;
-  const { id, name, maps, weights } = row as Record<string, unknown>;
+  const { id, name, maps, weights, states, outline } = row as Record<string, unknown>;
   if (typeof id !== "string" || typeof name !== "string" || !Array.isArray(maps)) return null;
+  if (areStates(states)) {
+    const one = { id, name: name.slice(0, LONGEST_NAME), maps: [], states };
+    return typeof outline === "string" ? { ...one, outline } : one;
+  }
   if (maps.length === 0 || maps.length > MOST_MAPS || !maps.every(isMap)) return null;
   const one = { id, name: name.slice(0, LONGEST_NAME), maps };
   return areWeights(weights, maps.length) ? { ...one, weights } : one;
@@ -76,6 +89,18 @@ function sound(row: unknown): OwnShape | null {
 function areWeights(list: unknown, count: number): list is number[] {
   if (!Array.isArray(list) || list.length !== count) return false;
   return list.every((weight) => Number.isFinite(weight) && weight >= 0) && list.some((weight) => weight > 0);
+}
+
+function areStates(list: unknown): list is DirectedMap[][] {
+  if (!Array.isArray(list) || list.length === 0 || list.length > MOST_STATES) return false;
+  const isCopy = (copy: unknown) => {
+    if (typeof copy !== "object" || copy === null) return false;
+    const { from, map } = copy as Record<string, unknown>;
+    return Number.isInteger(from) && Number(from) >= 0 && Number(from) < list.length && isMap(map);
+  };
+  return list.every(
+    (state) => Array.isArray(state) && state.length > 0 && state.length <= MOST_MAPS && state.every(isCopy),
+  );
 }
 
 function isMap(map: unknown): map is MapRow {

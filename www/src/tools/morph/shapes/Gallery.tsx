@@ -3,7 +3,7 @@ import { DirectedShelf } from "#directed/Shelf";
 import { tellReplaced } from "#document/curve/replaced";
 import { editSystems } from "#document/curve/systems";
 import { systemOf } from "#document/directed/changes";
-import { chooseSystem } from "#document/directed/edits";
+import { chooseDirected, chooseSystem } from "#document/directed/edits";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
 import { presets } from "#document/presets";
@@ -62,6 +62,14 @@ export function Gallery() {
         if (standIn.peek() === "directed") chooseSystem(end, shape);
         else void editSystems((now) => choose(now, end, shape)).then(() => tellReplaced(before, end));
         if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
+        pick(null);
+        announce(`Shape ${nameOf(end)} is now ${shape.name}.`);
+      }}
+      onDirected={(shape) => {
+        const before = scene.peek();
+        selection.value = null;
+        chooseDirected(end, shape);
+        tellReplaced(before, end);
         pick(null);
         announce(`Shape ${nameOf(end)} is now ${shape.name}.`);
       }}
