@@ -3,10 +3,12 @@ import { useEffect } from "preact/hooks";
 import { curveAtBoth, type End, sameCurves, swapCurves } from "#document/curve/changes";
 import { curveMorph, curves } from "#document/curve/curve";
 import { photographs, photographsShown } from "#document/curve/photographs";
+import { fernBecomes } from "#document/directed/outlines";
 import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
 import { BackToSystems } from "#stage/curve/BackToSystems";
 import { CurveThumb } from "#stage/curve/CurveThumb";
+import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { Menu } from "#ui/overlay/Menu";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
@@ -47,6 +49,16 @@ export function CurvePanel({ choose }: CurvePanelProps) {
       <Colours />
       <SaveButtons />
       <section class={curveCss["curve-back"]} aria-label="Systems">
+        <Button
+          icon="play"
+          description="A morph from a fern to B, edge by edge and in one piece all the way"
+          onClick={() => {
+            const now = scene.peek().curves;
+            if (now) void fernBecomes(now.b);
+          }}
+        >
+          From a fern to B
+        </Button>
         <BackToSystems />
       </section>
     </>

@@ -1,6 +1,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
+import { curvePresets, fitted } from "#document/curve/edits";
 import { tellReplaced } from "#document/curve/replaced";
 import { chooseDirected } from "#document/directed/edits";
+import { chooseOutline } from "#document/directed/outlines";
 import { selection } from "#document/morph";
 import { announce, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
@@ -8,15 +10,16 @@ import { directedPicture, type PictureSize } from "#stage/directed/thumb";
 import { stageStyle } from "#stage/picture-style";
 import { useOwnId } from "#ui/id";
 import { ShapeGrid } from "#ui/shapes/ShapeGrid";
-import type { DirectedPreset } from "#wasm/api";
-import { directed, loadDirected } from "#wasm/directed";
+import { loadCurves } from "#wasm/curve";
+import { loadDirected } from "#wasm/directed";
+import { type DirectedChoice, directedChoices } from "./choices";
 import css from "./directed.module.css";
 import { stateWords } from "./words";
 
 const SIZE: PictureSize = { width: 160, height: 120 };
 
 const MORPHS = {
-  outline: "They morph with shapes of maps and with each other, and not with outlines.",
+  outline: "They morph with shapes of maps and with each other; outlines, only edge by edge.",
   other: "The other shape stays what it is, and the morph goes between both.",
 };
 
@@ -28,7 +31,7 @@ interface ShelfProps {
 /** The graph-directed shapes of a gallery, each as soon as its picture is there. */
 export function DirectedShelf({ end, onChosen }: ShelfProps) {
   const title = useOwnId("shelf");
-  const [presets, setPresets] = useState<readonly DirectedPreset[]>([]);
+  const [presets, setPresets] = useState<readonly DirectedChoice[]>([]);
   const [problem, setProblem] = useState<string | null>(null);
   const [pictures, setPictures] = useState<ReadonlyMap<string, ImageBitmap | null>>(new Map());
   const { colouring, palette } = stageStyle.value;
@@ -38,8 +41,8 @@ export function DirectedShelf({ end, onChosen }: ShelfProps) {
     const seen = new IntersectionObserver((entries) => {
       if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
       seen.disconnect();
-      loadDirected().then(
-        () => setPresets(directed.directedPresets()),
+      Promise.all([loadDirected(), loadCurves()]).then(
+        () => setPresets(directedChoices(curvePresets(), fitted())),
         (reason) => setProblem(wordsOf(reason)),
       );
     });
@@ -60,13 +63,19 @@ export function DirectedShelf({ end, onChosen }: ShelfProps) {
     }
     return () => ended.abort();
   }, [presets, colouring, palette]);
-  const choose = ({ id, name, system }: DirectedPreset) => {
+  const choose = ({ id, name, system, outline }: DirectedChoice) => {
     // Nothing of a system is edited any more.
     selection.value = null;
     const before = scene.peek();
-    chooseDirected(end, { preset: id, name, ...system });
-    tellReplaced(before, end);
-    announce(`Shape ${end.toUpperCase()} is now ${name}.`);
+    const chosen = () => {
+      tellReplaced(before, end);
+      announce(`Shape ${end.toUpperCase()} is now ${name}.`);
+    };
+    if (outline) void chooseOutline(end, outline).then((done) => done && chosen());
+    else {
+      chooseDirected(end, { preset: id, name, ...system });
+      chosen();
+    }
     onChosen();
   };
   const drawn = new Map([...pictures].flatMap(([id, bitmap]) => (bitmap ? [[id, bitmap] as const] : [])));

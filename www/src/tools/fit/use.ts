@@ -4,6 +4,7 @@ import { cutOut } from "#document/curve/cut-out";
 import { holdPhotograph, takenCurve } from "#document/curve/photographs";
 import { tellReplaced } from "#document/curve/replaced";
 import { bendPicture } from "#document/deform/bend-picture";
+import { fernBecomes } from "#document/directed/outlines";
 import { fitDocument, useCurve as takeCurve, type Use } from "#document/fit";
 import type { KeptPhotograph } from "#document/kept/fits";
 import { notify, wordsOf } from "#document/notice";
@@ -73,6 +74,16 @@ function take(to: Use): void {
 const hold = (curve: Curve, photograph: KeptPhotograph): unknown =>
   // Without it the curve is what it is.
   holdPhotograph(curve, photograph).catch(() => {});
+
+/** A fern becomes the fit, as it stands. */
+export function fernFit(): void {
+  try {
+    const shape = shownShape();
+    if (shape) void fernBecomes({ ...shape, curve: takenCurve(shape.curve) });
+  } catch (problem) {
+    notTaken(problem);
+  }
+}
 
 /** Takes a fit of the shelf into another tool, and its photograph with it. */
 export function takeKept(shape: CurveShape, photograph: KeptPhotograph | null, to: Use): void {

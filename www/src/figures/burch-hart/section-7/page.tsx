@@ -1,4 +1,5 @@
 import { useMemo, useRef } from "preact/hooks";
+import { directedChoices } from "#directed/choices";
 import { Editor } from "#directed/Editor";
 import { Answer, Remarks, Way } from "#directed/Found";
 import { madeOf } from "#directed/systems";
@@ -7,6 +8,7 @@ import { RESOLUTION, verdictPhrase } from "#format/verdict";
 import { union } from "#geometry/boxes";
 import { Select } from "#ui/controls/Select";
 import type { DirectedIfs, DirectedShape, StateConnectedness } from "#wasm/api";
+import { loadCurves, rough } from "#wasm/curve";
 import { directed, loadDirected } from "#wasm/directed";
 import { useDirected } from "../../kit/directed/ask";
 import { look } from "../../kit/directed/look";
@@ -35,7 +37,7 @@ export const STATE = {
 };
 
 /** What must be there before it is shown. */
-export const needs = [loadDirected];
+export const needs = [loadDirected, loadCurves];
 
 type Mode = "polar" | "linear";
 const PROOF_EPSILON = 1 / 100;
@@ -72,6 +74,7 @@ export function Page(heading: Heading) {
   const proof = useDirected("certify", proofTask, 1);
   const proved = proof?.about === proofTask ? (proof?.result ?? null) : null;
   const opened = opening(shapeOf(from, own), shapeOf(to, null), mode, time.t);
+  const story = own === null && from === "frond" && to === "edges-maple";
   const choose = (id: string) => {
     setFrom(id);
     setOwn(null);
@@ -88,7 +91,7 @@ export function Page(heading: Heading) {
           A shape may be made of copies of other shapes, and these of copies of it: a graph says what copies
           what. The paper asks how such systems could be morphed. Here each map of a state becomes a map of
           another state, and so does what they copy; a state that is to become several is split, which changes
-          no shape.
+          no shape. A fern becomes an outline in one piece: the way around it becomes the way around the leaf.
         </p>
       }
       found={
@@ -145,6 +148,21 @@ export function Page(heading: Heading) {
           onChange={setLevel}
         />
       </div>
+      {!story && (
+        <p class={layout["hint"]}>
+          <button
+            type="button"
+            class="button quiet"
+            onClick={() => {
+              choose("frond");
+              setTo("edges-maple");
+              setMode("linear");
+            }}
+          >
+            From a fern to a leaf
+          </button>
+        </p>
+      )}
       <Time time={time} words={answers[0] && !stale ? verdictPhrase(answers[0]) : ""} />
       {lost && time.t > 0 && <p class={layout["hint"]}>{String(seen)}</p>}
       <div class={layout["two-columns"]}>
@@ -199,16 +217,28 @@ export function Page(heading: Heading) {
   );
 }
 
+let made: ReturnType<typeof directedChoices> | null = null;
+
+/** The shapes of the page. */
+function choices() {
+  made ??= directedChoices(rough.curvePresets(), null);
+  return made;
+}
+
 /** A shape as a document has it: that of the gallery, or one's own. */
 function shapeOf(id: string, own: DirectedIfs | null): DirectedShape {
   if (own) return { name: "Own shape", states: own.states };
-  const found = directed.directedPresets().find((preset) => preset.id === id);
-  return found ? { preset: id, name: found.name, ...found.system } : { name: id, states: [] };
+  const found = choices().find((preset) => preset.id === id);
+  if (!found) return { name: id, states: [] };
+  const { name, system, outline } = found;
+  return outline
+    ? directed.outlineShape(outline.name, outline.curve, [-0.5, 0, 0.5, 1])
+    : { preset: id, name, ...system };
 }
 
 /** The system of a name; an address may have one that there is not. */
 function systemOf(id: string, otherwise: string): DirectedIfs {
-  const presets = directed.directedPresets();
+  const presets = choices();
   const found =
     presets.find((preset) => preset.id === id) ?? presets.find((preset) => preset.id === otherwise);
   return found?.system ?? { states: [] };
@@ -226,7 +256,7 @@ function PresetChoice(props: { label: string; value: string; onChange: (id: stri
     <label>
       {props.label}{" "}
       <Select value={props.value} onChange={(event) => props.onChange(event.currentTarget.value)}>
-        {directed.directedPresets().map(({ id, name }) => (
+        {choices().map(({ id, name }) => (
           <option key={id} value={id}>
             {name}
           </option>

@@ -4,7 +4,7 @@ import fitCss from "../fit.module.css";
 import { croppedPhotograph, photographed } from "../kept/photograph";
 import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";
-import { bendPhotograph, shownShape, use, waiting } from "../use";
+import { bendPhotograph, fernFit, shownShape, use, waiting } from "../use";
 import { shownFigures, shownFit } from "../work/fitting";
 import { changeMask } from "../work/mask";
 import { plainName } from "../work/name";
@@ -44,6 +44,15 @@ export function UsePanel() {
         <Button disabled={!ready} {...heldFor("bent")} onClick={() => use("bent")}>
           Bend it
         </Button>
+        {closed && (
+          <Button
+            disabled={!ready}
+            description="A fern becomes this outline, edge by edge and in one piece all the way"
+            onClick={fernFit}
+          >
+            From a fern
+          </Button>
+        )}
         {closed && photographed.value && (
           <Button
             disabled={!ready}

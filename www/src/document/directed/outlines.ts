@@ -1,0 +1,65 @@
+/** Closed curves as shapes of several states: beside a system or another graph, edge by edge. */
+import type { Box } from "#geometry/boxes";
+import type { CurveShape, DirectedIfs, DirectedShape } from "#wasm/api";
+import { directed, loadDirected } from "#wasm/directed";
+import { notify, wordsOf } from "../notice";
+import { edit, scene } from "../scene";
+import { openTool } from "../tool";
+import { type End, oneState, withDirected } from "./changes";
+
+/** A plant that is in one piece exactly, and so becomes any outline in one. */
+const PLANT = "frond";
+
+/** The outline, as large as what it becomes, on the same ground. */
+function outlineBeside(other: DirectedIfs, { name, curve }: CurveShape): DirectedShape {
+  const box = boxOf(other);
+  return directed.outlineShape(name, curve, box ? [box.x0, box.y0, box.x1, box.y1] : undefined);
+}
+
+function boxOf(system: DirectedIfs): Box | null {
+  try {
+    const [whole] = directed.directedFacts(system).states;
+    return whole ? { x0: whole.min[0], y0: whole.min[1], x1: whole.max[0], y1: whole.max[1] } : null;
+  } catch {
+    return null;
+  }
+}
+
+/** An outline for one end of the morph, whose maps go straight, so that ends stay together. The other end stays. */
+export async function chooseOutline(end: End, shape: CurveShape): Promise<boolean> {
+  return told(shape, async () => {
+    await loadDirected();
+    const { a, b, directed: now } = scene.peek();
+    const other = end === "a" ? "b" : "a";
+    const beside = now ? now[other] : oneState({ a, b }[other]);
+    const outline = outlineBeside(beside, shape);
+    edit((before) => ({ ...withDirected(before, end, outline), mode: "linear" }));
+  });
+}
+
+/** A fern becomes this outline, from the beginning: one undo step, and the morph is opened. */
+export async function fernBecomes(shape: CurveShape): Promise<boolean> {
+  return told(shape, async () => {
+    await loadDirected();
+    const plant = directed.directedPresets().find(({ id }) => id === PLANT);
+    if (!plant) throw new Error("there is no fern");
+    const { id: preset, name, system } = plant;
+    const outline = outlineBeside(system, shape);
+    edit((before) => {
+      const { locus: _locus, view: _view, ...rest } = withDirected(before, "b", outline);
+      return { ...rest, directed: { a: { preset, name, ...system }, b: outline }, mode: "linear", t: 0 };
+    });
+    openTool("morph");
+  });
+}
+
+/** Whether it was done; what is in the way is said. */
+async function told({ name }: CurveShape, act: () => Promise<void>): Promise<boolean> {
+  try {
+    await act();
+    return true;
+  } catch (problem) {
+    notify({ kind: "error", text: `${name} cannot be taken edge by edge: ${wordsOf(problem)}` });
+    return false;
+  }
+}
