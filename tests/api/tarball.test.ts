@@ -244,6 +244,9 @@ describe("the packed package", () => {
     expect(frond("render", bent, "--out", "bent.png", "--t", "0.5", ...size).status).toBe(0);
     expect(sides("bent.png")).toEqual([60, 40]);
     expect(frond("render", bent, "--out", "bent.svg").stderr).toMatch(/nothing bends/);
+    const states = "directed-a=frond&directed-b=snowflake&mode=linear";
+    expect(frond("render", states, "--out", "s.png", "--frames", "2", ...size)).toMatchObject({ status: 0 });
+    expect(bytes("s-0001.png").equals(bytes("s-0002.png"))).toBe(false);
     const made = node(`
       import init, { defaultSpace, defaultView, packSpace } from "frond/space";
       await init();

@@ -21,9 +21,7 @@ const systemOf = ({ maps, weights }: Shape): Ifs => weighted(maps, weights);
 /** A morph as a link says it, and how to get on its way. */
 export async function morphOf(scene: Scene, system: System) {
   if (scene.directed)
-    throw new Refusal(
-      "The command draws no shapes of several states. Save them in the studio, as a picture or a film.",
-    );
+    throw new Refusal("Of shapes of several states the command only draws pictures and films: frond render.");
   if (scene.curves || scene.tool === "fit")
     throw new Refusal(
       "The command knows no closed curves. Save them in the studio, as SVG, as a film or as maps.",

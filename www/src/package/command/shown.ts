@@ -2,7 +2,7 @@
 import { type Box, boxAt, calmTrack, stillTrack, union } from "#geometry/boxes";
 import { WHITE } from "#style/colours";
 import { palette } from "#style/palette";
-import type { Bend, Ifs, Scene } from "#wasm/api";
+import type { Bend, DirectedIfs, Ifs, Scene } from "#wasm/api";
 import { shownObject } from "#workers/space/shown";
 import { bendOf, morphOf, type NamedMaps, withColours } from "./morph";
 import { Refusal } from "./options";
@@ -40,8 +40,56 @@ const TRIAL = 128;
 const TRIALS = 2;
 
 export function shownOf(scene: Scene, system: System): Promise<Shown> {
-  return scene.tool === "space" ? spaceShown(scene, system) : planeShown(scene, system);
+  if (scene.tool === "space") return spaceShown(scene, system);
+  const { directed } = scene;
+  return directed ? directedShown(scene, directed, system) : planeShown(scene, system);
 }
+
+/** Shapes of several states: the straight way from one to the other. */
+async function directedShown(
+  { mode, t, colouring, palette: own, tool }: Scene,
+  { a, b }: NonNullable<Scene["directed"]>,
+  system: System,
+): Promise<Shown> {
+  if (tool === "deform" || tool === "fit")
+    throw new Refusal("Shapes of several states are shown by Morph. Open the link there and copy it again.");
+  const { directedFacts, interpolateDirected, rasterizeDirected } = await system.directed();
+  const at = (moment: number): DirectedIfs => {
+    if (moment <= 0) return a;
+    return moment >= 1 ? b : interpolateDirected(a, b, { u: moment, v: moment, mode });
+  };
+  return {
+    seconds: MORPH_SECONDS,
+    t,
+    round: false,
+    still: null,
+    async frames(moments, { width, height, ground }) {
+      const looks = moments.length === 1 ? moments : Array.from({ length: LOOKS }, (_, i) => i / (LOOKS - 1));
+      const boxes = looks.map((moment): Box | null => {
+        try {
+          const [whole] = directedFacts(at(moment)).states;
+          return whole ? { x0: whole.min[0], y0: whole.min[1], x1: whole.max[0], y1: whole.max[1] } : null;
+        } catch {
+          return null;
+        }
+      });
+      const track = calmTrack(boxes);
+      const colours = own ?? palette(ground !== null && dark(ground) ? "dark" : "light");
+      const look =
+        colouring === "address"
+          ? { level: STATE_LEVEL, palette: colours }
+          : { level: 0, palette: colouring === "map" ? colours : colours.slice(0, 1) };
+      return async (i) => {
+        const moment = moments[i] ?? 0;
+        const view = viewOf(boxAt(track, moment), width, height);
+        return rasterizeDirected(at(moment), { width, height, view, ...look }) as Pixels;
+      };
+    },
+  };
+}
+
+/** Maps that lead to the state that a colour tells. */
+const STATE_LEVEL = 3;
 
 async function planeShown(scene: Scene, system: System): Promise<Shown> {
   const { draw, at } = await morphOf(scene, system);

@@ -4,6 +4,7 @@ import type { Ifs, Locus, MapRow3, PathPlan, SpaceLight, SpaceView } from "#wasm
 export type Draw = typeof import("../../../pkg/frond.js");
 export type Proof = typeof import("../../../pkg/frond-proof.js");
 export type Exchange = typeof import("../../../pkg/frond-exchange.js");
+export type Directed = typeof import("../../../pkg/frond-directed.js");
 export type Solid = typeof import("../../../pkg/frond-space.js");
 export type Pixels = Uint8ClampedArray<ArrayBuffer>;
 
@@ -34,6 +35,7 @@ export interface System {
   draw(): Promise<Draw>;
   proof(): Promise<Proof>;
   exchange(): Promise<Exchange>;
+  directed(): Promise<Directed>;
   space(): Promise<Solid>;
   pool(): Pool;
   read(file: string): Promise<Uint8Array>;

@@ -23,6 +23,7 @@ const system = {
   draw: () => started(import("./draw.js")),
   proof: () => started(import("./proof.js")),
   exchange: () => started(import("./exchange.js")),
+  directed: () => started(import("./directed.js")),
   space: () => started(import("./space.js")),
   pool: () => {
     pool ??= createPool();
