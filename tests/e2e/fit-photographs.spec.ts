@@ -74,6 +74,18 @@ test("two leaves become each other with their photographs, which a reload finds 
   near(below, half);
   near(above, dark(half));
   await expectClean(page);
+  // The strip below shows them, too.
+  await expect
+    .poll(() =>
+      page.evaluate(() => {
+        const [first] = document.querySelectorAll<HTMLCanvasElement>(".strip canvas");
+        if (!first) return [0, 0, 0];
+        const { width, height } = first;
+        const pixel = first.getContext("2d")?.getImageData(width >> 1, Math.round(0.66 * height), 1, 1).data;
+        return [...(pixel ?? [])].slice(0, 3);
+      }),
+    )
+    .toEqual(RED.map((part) => expect.closeTo(part, -1.5)));
   await shown.uncheck({ force: true });
   expect(apart((await middle())[0], half)).toBeGreaterThan(24);
 });

@@ -1,6 +1,8 @@
 /** Closed curves as frames of films. */
 import { curves } from "#document/curve/curve";
+import type { Photographs } from "#document/curve/photographs";
 import type { View } from "#geometry/coordinates";
+import { carriedOn } from "#stage/curve/photographs/carried";
 import { stillCurve } from "#stage/curve/still";
 import { isDark } from "#style/ground";
 import { palette } from "#style/palette";
@@ -19,17 +21,22 @@ export interface CurveMoment {
 /** Of the outline, as a part of the shorter side of a frame. */
 const LINE_WIDTH = 1 / 400;
 
-/** Draws the curves of the document on the page itself, one frame after the other: each takes it a moment only. */
+/**
+ * Draws the curves of the document on the page itself, one frame after the other: each takes it a moment only. The
+ * photographs of both ends are carried inside them.
+ */
 export function curveDrawer(
   { width, height, ground }: FrameLook,
   colouring: Colouring,
   at: (seconds: number) => CurveMoment,
+  photographs: Photographs | null = null,
 ): Drawer {
   const now = curves.peek();
   if (!now) throw new Error("There is no curve.");
   const morph = new rough.CurveMorph(now.a.curve, now.a.curve === now.b.curve ? null : now.b.curve);
   const dark = isDark(ground);
-  const look = { width, height, colouring, palette: palette(dark ? "dark" : "light"), dark };
+  const carried = carriedOn(morph, photographs);
+  const look = { width, height, colouring, palette: palette(dark ? "dark" : "light"), dark, carried };
   const lineWidth = Math.max(1, LINE_WIDTH * Math.min(width, height));
   let before = "";
   let missing = 0;

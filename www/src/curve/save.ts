@@ -2,10 +2,13 @@
 
 import { sameCurves } from "#document/curve/changes";
 import { curveMorph, curves, curveTime } from "#document/curve/curve";
+import { photographsSeen } from "#document/curve/photographs";
 import { bend } from "#document/deform/bend";
 import { notify, wordsOf } from "#document/notice";
 import { dark } from "#document/preferences";
+import { tool } from "#document/tool";
 import { moved } from "#stage/curve/painter";
+import { carriedOn } from "#stage/curve/photographs/carried";
 import { stillCurve } from "#stage/curve/still";
 import { stageStyle } from "#stage/picture-style";
 import { effectiveView, stageSize } from "#stage/view";
@@ -85,6 +88,7 @@ async function picture(): Promise<Blob> {
     ...stageStyle.peek(),
     dark: dark.peek(),
     lineWidth: LINE_WIDTH * larger,
+    carried: tool.peek() === "morph" ? carriedOn(morph, photographsSeen.peek()) : null,
   });
   return canvas.convertToBlob({ type: "image/png" });
 }

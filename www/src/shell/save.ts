@@ -4,6 +4,7 @@ import { curveDrawer } from "#curve/film";
 import { directedDrawer } from "#directed/film";
 import { pieceColours } from "#document/colours";
 import { curveMorph, curveTime } from "#document/curve/curve";
+import { photographsSeen } from "#document/curve/photographs";
 import { bend, deformation } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
 import { directedWay } from "#document/directed/directed";
@@ -11,6 +12,7 @@ import { selection, shown } from "#document/morph";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import { endsOf } from "#document/stand-in";
+import { tool } from "#document/tool";
 import { stepsSubject } from "#film/steps";
 import type { Still } from "#film/subject";
 import { shownWeights } from "#stage/picture-style";
@@ -37,6 +39,7 @@ export async function stageStill(): Promise<Still> {
   const weights = shownWeights.peek();
   const { parts } = deformation.peek();
   const s = curveTime.peek();
+  const photographs = tool.peek() === "morph" ? photographsSeen.peek() : null;
   const ground = dark.peek() ? NIGHT : PAPER;
 
   const drawer = (look: FrameLook, how?: { alone: boolean }): Drawer => {
@@ -45,7 +48,7 @@ export async function stageStill(): Promise<Still> {
     const larger = Math.min(look.width / Math.max(1, stage.width), look.height / Math.max(1, stage.height));
     const view = { ...seen, scale: seen.scale * larger };
     if (photograph) return sheetDrawer(look, alone, { picture: photograph, parts, view }, () => bent);
-    if (curve) return curveDrawer(look, colouring, () => ({ s, bend: bent, view }));
+    if (curve) return curveDrawer(look, colouring, () => ({ s, bend: bent, view }), photographs);
     if (way) return directedDrawer(look, way, colouring, () => ({ t, view }));
     const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
     const options = { view, colouring, palette: colours, ...(bent ? { bend: bent } : {}) };

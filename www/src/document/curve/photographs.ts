@@ -14,6 +14,12 @@ export interface CurvePhotograph {
   box: readonly [x0: number, y0: number, x1: number, y1: number];
 }
 
+/** Those of both ends of a morph. */
+export interface Photographs {
+  a: CurvePhotograph;
+  b: CurvePhotograph;
+}
+
 /** They take memory: the last ones are held. */
 const MOST_HELD = 6;
 
@@ -48,7 +54,7 @@ export async function holdPhotograph(fit: Curve, { blob, box }: KeptPhotograph):
 }
 
 /** The photographs of the two ends; null where there are not both. */
-export const photographs: ReadonlySignal<{ a: CurvePhotograph; b: CurvePhotograph } | null> = computed(() => {
+export const photographs: ReadonlySignal<Photographs | null> = computed(() => {
   const now = curves.value;
   if (!now || !curvesReady.value) return null;
   try {
@@ -61,6 +67,11 @@ export const photographs: ReadonlySignal<{ a: CurvePhotograph; b: CurvePhotograp
 
 /** Whether they are shown where there are both. */
 export const photographsShown = signal(true);
+
+/** What is seen of them wherever the morph is: on the stage, in its strip, in pictures and films. */
+export const photographsSeen: ReadonlySignal<Photographs | null> = computed(() =>
+  photographsShown.value ? photographs.value : null,
+);
 
 /** Curves that were looked for in vain. */
 const sought = new Set<string>();

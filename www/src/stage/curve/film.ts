@@ -6,12 +6,14 @@ import { effect, untracked } from "@preact/signals";
 import { type Frame, publish } from "#compute/results";
 import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES, namesOf } from "#compute/strip";
 import { curveMorph } from "#document/curve/curve";
+import { photographsSeen } from "#document/curve/photographs";
 import { pathTrack } from "#document/framing";
 import { scene } from "#document/scene";
 import { toldOf } from "#format/verdict";
 import { boxAt } from "#geometry/boxes";
 import { STATE } from "#geometry/states";
 import { stageStyle } from "../picture-style";
+import { type Carried, carriedOn } from "./photographs/carried";
 import { curveThumb } from "./thumb";
 
 const SETTLE_MS = 90;
@@ -25,6 +27,7 @@ export function watchFilm(): () => void {
     const morph = curveMorph.value;
     const track = pathTrack.value;
     const { palette } = stageStyle.value;
+    const photographs = photographsSeen.value;
     if (timer) clearTimeout(timer);
     const kept = untracked(() => film.value);
     const before = shapes;
@@ -38,15 +41,18 @@ export function watchFilm(): () => void {
     }));
     film.value = frames;
     let next = 0;
+    let carried: Carried | null = null;
     const step = () => {
       const frame = frames[next];
       if (!morph || morph !== curveMorph.peek() || !frame) return;
+      if (next === 0) carried = carriedOn(morph, photographs);
       const bitmap = curveThumb(
         morph,
         frame.t,
         boxAt(track, frame.t),
         { width: FRAME_WIDTH, height: FRAME_HEIGHT },
         palette,
+        carried,
       );
       const made = { ...frame, bitmap, stale: false };
       film.value = film.peek().map((old) => (old.t === made.t ? made : old));

@@ -66,7 +66,7 @@ export function paintCurve(
 
 /** Paints what lies on a box of the plane inside the same curve, without an outline. */
 export function paintInside(
-  context: CanvasRenderingContext2D,
+  context: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D,
   vertices: Float64Array,
   frame: Frame,
   { canvas, box: [x0, y0, x1, y1] }: CarriedPicture,

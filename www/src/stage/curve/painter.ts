@@ -1,5 +1,5 @@
 import type { CurveMorph } from "#document/curve/curve";
-import type { CurvePhotograph } from "#document/curve/photographs";
+import type { Photographs } from "#document/curve/photographs";
 import { wordsOf } from "#document/notice";
 import type { View } from "#geometry/coordinates";
 import type { Bend } from "#wasm/api";
@@ -8,8 +8,6 @@ import { CanvasPainter } from "../surface/canvas-painter";
 import type { PainterState } from "../surface/painter";
 import { lookOf, paintCurve, paintInside } from "./paint";
 import { Carried, type CarriedPicture } from "./photographs/carried";
-
-type Photographs = { a: CurvePhotograph; b: CurvePhotograph };
 
 /** What is to be seen. Sizes are device pixels, `view.scale` is in CSS pixels a unit. */
 interface CurveRequest {

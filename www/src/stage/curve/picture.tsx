@@ -1,7 +1,7 @@
 import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { curveTime, stageMorph } from "#document/curve/curve";
-import { photographs, photographsShown, watchPhotographs } from "#document/curve/photographs";
+import { photographsSeen, watchPhotographs } from "#document/curve/photographs";
 import { bend, bendProblem } from "#document/deform/bend";
 import { tool } from "#document/tool";
 import { attachGestures } from "../gestures";
@@ -44,7 +44,7 @@ export function CurvePicture({ onState, onPainter }: CurvePictureProps) {
         bend: bend.value,
         view: effectiveView.value,
         style: stageStyle.value,
-        photographs: photographsShown.value && tool.value === "morph" ? photographs.value : null,
+        photographs: tool.value === "morph" ? photographsSeen.value : null,
       });
     });
     const stopGestures = attachGestures(element);

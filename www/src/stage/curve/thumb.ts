@@ -3,7 +3,8 @@
 import type { CurveMorph } from "#document/curve/curve";
 import { fitFor } from "#document/framing";
 import type { Box } from "#geometry/boxes";
-import { lookOf, paintCurve } from "./paint";
+import { lookOf, paintCurve, paintInside } from "./paint";
+import type { Carried } from "./photographs/carried";
 
 /** CSS pixels. */
 interface ThumbSize {
@@ -15,14 +16,17 @@ const EDGE = 5;
 const LINE_WIDTH = 1.1;
 /** Of the outline, in device pixels. */
 const TOLERANCE = 0.5;
+/** Photographs are made so many times smaller than they could be. */
+const SMALLER = 4;
 
-/** The curve at a moment, with a box of the plane fitted into it. */
+/** The curve at a moment, with a box of the plane fitted into it, and what is carried inside it. */
 export function curveThumb(
   morph: CurveMorph,
   s: number,
   box: Box,
   size: ThumbSize,
   palette: readonly string[],
+  carried: Carried | null = null,
 ): ImageBitmap {
   const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
   const width = Math.round(size.width * ratio);
@@ -33,12 +37,9 @@ export function curveThumb(
   const context = canvas.getContext("2d");
   if (context) {
     const vertices = morph.polyline(s, { tolerance: TOLERANCE / view.scale });
-    paintCurve(
-      context,
-      vertices,
-      { view, width, height },
-      lookOf(morph, s, "density", palette, LINE_WIDTH * ratio),
-    );
+    const frame = { view, width, height };
+    if (carried) paintInside(context, vertices, frame, carried.at(s, SMALLER));
+    else paintCurve(context, vertices, frame, lookOf(morph, s, "density", palette, LINE_WIDTH * ratio));
   }
   return canvas.transferToImageBitmap();
 }

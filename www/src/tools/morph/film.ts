@@ -5,6 +5,7 @@ import { curveDrawer } from "#curve/film";
 import { directedDrawer } from "#directed/film";
 import { pieceColours } from "#document/colours";
 import { curved, curveMorph } from "#document/curve/curve";
+import { photographsSeen } from "#document/curve/photographs";
 import { bend } from "#document/deform/bend";
 import { directedShapes, directedWay } from "#document/directed/directed";
 import { pathTrack } from "#document/framing";
@@ -39,6 +40,7 @@ export async function films(): Promise<Films> {
   const way = directedWay.peek();
   const frames = standInFilm.peek();
   const instead = standIn.peek();
+  const photographs = photographsSeen.peek();
   const points = pathPoints.peek();
   const options = morphOptions.peek();
   const told = along.peek()?.told;
@@ -47,7 +49,8 @@ export async function films(): Promise<Films> {
   const drawer = (look: FrameLook, how?: { alone: boolean }): Drawer => {
     const view = (t: number) => frameView(boxAt(track, t), look);
     if (curve) {
-      return curveDrawer(look, colouring, (at) => ({ s: moment(at), bend: bent, view: view(moment(at)) }));
+      const curveAt = (at: number) => ({ s: moment(at), bend: bent, view: view(moment(at)) });
+      return curveDrawer(look, colouring, curveAt, photographs);
     }
     if (way) {
       return directedDrawer(look, way, colouring, (at) => ({ t: moment(at), view: view(moment(at)) }));

@@ -5,7 +5,7 @@
  */
 import type { CurveMorph } from "#document/curve/curve";
 import { cutOut } from "#document/curve/cut-out";
-import type { CurvePhotograph } from "#document/curve/photographs";
+import type { CurvePhotograph, Photographs } from "#document/curve/photographs";
 import { carry } from "#geometry/mean-value";
 import { type Place, placesOf, ringAt, type Traced } from "./rings";
 import { filled, type Texture } from "./texture";
@@ -37,7 +37,7 @@ export class Carried {
   readonly #textures: readonly [Texture, Texture];
   #made: (CarriedPicture & { s: number; coarse: number }) | null = null;
 
-  constructor(morph: CurveMorph, { a, b }: { a: CurvePhotograph; b: CurvePhotograph }) {
+  constructor(morph: CurveMorph, { a, b }: Photographs) {
     this.#morph = morph;
     this.#edges = morph.arcs().length / 4;
     const [first, last] = [this.#trace(0), this.#trace(1)];
@@ -70,6 +70,17 @@ export class Carried {
     const [x0, y0, x1, y1] = this.#morph.bounds(s);
     const points = this.#morph.polyline(s, { tolerance: TOLERANCE * Math.max(x1 - x0, y1 - y0) });
     return { points, edges: this.#morph.edges() };
+  }
+}
+
+/** What lies in curves of a morph in place of colours; null where there is nothing, or no canvas for it. */
+export function carriedOn(morph: CurveMorph | null, photographs: Photographs | null): Carried | null {
+  if (!morph || !photographs) return null;
+  try {
+    return new Carried(morph, photographs);
+  } catch {
+    // The curve is shown.
+    return null;
   }
 }
 
