@@ -42,8 +42,39 @@ test("a link of two of them opens with what is proved of the way and of each sta
   // Nothing bends it, which is said, and it stays.
   await page.getByRole("link", { name: "Deform" }).click();
   await expect(page.getByRole("heading", { name: "This shape is not bent" })).toBeVisible();
+  await page.getByRole("button", { name: "Bend its picture" }).click();
+  await expect(page.getByRole("heading", { name: "This shape is not bent" })).toHaveCount(0);
+  expect((await studio.scene()).deform?.subject).toBe("picture");
+  await page.getByRole("banner").getByRole("button", { name: "Undo" }).click();
   await page.getByRole("button", { name: "Back to Morph" }).click();
   expect((await studio.scene()).directed?.a.preset).toBe("snowflake");
+});
+
+test("a fern becomes an outline edge by edge, and its link opens it", async ({ studio, page }) => {
+  await studio.open("v=1&curve-a=oak&curve-b=maple");
+  await page.getByRole("button", { name: "From a fern to B" }).click();
+  await expect(page.getByRole("button", { name: /^Shape A: / })).toHaveAccessibleName(/^Shape A: Frond/);
+  await expect(page.getByRole("button", { name: /^Shape B: / })).toHaveAccessibleName(/states/);
+  await expect(page.getByText(/parted into \d+ steps/)).toBeVisible();
+  await expect(page.getByText(/in one piece at every moment of the way, proved/)).toBeVisible();
+  const fern = await studio.look();
+  await page.getByRole("spinbutton", { name: "Time in percent" }).fill("100");
+  await page.keyboard.press("Enter");
+  const leaf = await studio.look();
+  expect(leaf.hash).not.toBe(fern.hash);
+  await page.getByRole("button", { name: "More for shape B" }).click();
+  await page.getByRole("menuitem", { name: "Keep this shape" }).click();
+  const link = new URL(page.url()).hash.slice(1);
+  expect(link).toMatch(/directed-a=frond&directed-b=curve:/);
+  await studio.open(link);
+  expect((await studio.look()).hash).toBe(leaf.hash);
+  await page.getByRole("button", { name: /^Shape A: / }).click();
+  await page
+    .getByRole("region", { name: "Your shapes" })
+    .getByRole("button", { name: /^Maple/ })
+    .first()
+    .click();
+  await expect(page.getByRole("button", { name: /^Shape A: / })).toHaveAccessibleName(/^Shape A: Maple/);
 });
 
 test("what changes is said aloud", async ({ studio, page }) => {

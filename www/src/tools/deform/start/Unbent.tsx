@@ -3,6 +3,7 @@ import { announce } from "#document/notice";
 import { openTool } from "#document/tool";
 import { Button } from "#ui/controls/Button";
 import { PanelFoot } from "#ui/panel/PanelFoot";
+import { bendItsPicture } from "./picture-of-states";
 
 /** Why a graph-directed shape is not bent, and what can be done. */
 export function Unbent() {
@@ -14,10 +15,13 @@ export function Unbent() {
         </header>
         <p>
           It has several states. The bend turns a part of each address round (Fujimoto, equations 5 and 6),
-          and in a graph what is read the other way need not lead anywhere. The shape stays as it is, and so
-          does what is set here for other shapes.
+          and in a graph what is read the other way need not lead anywhere. Its picture is bent, as a
+          photograph is: cut into parts of its own, and those into parts.
         </p>
         <div class="row">
+          <Button kind="primary" icon="grid" onClick={() => void bendItsPicture()}>
+            Bend its picture
+          </Button>
           <Button icon="back" onClick={() => openTool("morph")}>
             Back to Morph
           </Button>
