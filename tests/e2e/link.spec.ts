@@ -89,11 +89,23 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   // With motion it goes there and back, and rests where it was sent.
   await second.page.emulateMedia({ reducedMotion: "no-preference" });
   await second.page.reload();
-  const t = async () => (await second.scene()).t;
-  await second.page.getByRole("button", { name: "Pause", exact: true }).waitFor();
-  await expect.poll(t).toBeGreaterThan(0.9);
-  await expect.poll(t).toBeLessThan(0.1);
-  await second.page.getByRole("button", { name: "Play", exact: true }).waitFor();
+  const [low, high] = await second.page.evaluate(
+    () =>
+      new Promise<[number, number]>((resolve) => {
+        let [low, high, began] = [1, 0, false];
+        const look = () => {
+          const t = window.frond?.scene().t ?? 0.5;
+          [low, high] = [Math.min(low, t), Math.max(high, t)];
+          const plays = document.querySelector(".time .play")?.getAttribute("aria-label") === "Pause";
+          began ||= plays;
+          if (began && !plays) resolve([low, high]);
+          else requestAnimationFrame(look);
+        };
+        look();
+      }),
+  );
+  expect(low).toBeLessThan(0.05);
+  expect(high).toBeGreaterThan(0.95);
   expect([await second.scene(), await second.look()]).toEqual(mine);
   await second.page.goto(playing);
   await second.page.getByRole("button", { name: "Pause", exact: true }).waitFor();

@@ -72,26 +72,6 @@ test("maps are changed by hand, by numbers and by keys, and their number, too", 
     expect(moved[4]).toBeGreaterThan(maps[1]?.[4] ?? 0);
     expect(moved[5]).toBeGreaterThan(maps[1]?.[5] ?? 0);
   });
-  await test.step("a number moves its own map, whatever lies over it", async () => {
-    await studio.open("a=tree&b=gasket&path=straight");
-    await page.locator("body").press("e");
-    const { maps } = (await studio.scene()).a;
-    for (const number of [1, 2, 3, 4]) {
-      const box = await page.locator(".overlay").getByText(`${number}`, { exact: true }).boundingBox();
-      if (!box) throw new Error(`there is no number ${number}`);
-      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-      await page.mouse.move(x, y);
-      await page.mouse.down();
-      await page.mouse.move(x + 5, y - 9, { steps: 3 });
-      await page.mouse.move(x + 12, y - 20, { steps: 3 });
-      await page.mouse.up();
-      const now = (await studio.scene()).a.maps;
-      expect(now.flatMap((map, i) => (`${map}` === `${maps[i]}` ? [] : [i + 1]))).toEqual([number]);
-      await page.getByRole("button", { name: "Undo", exact: true }).click();
-    }
-    await studio.open("a=gasket&b=gasket&path=straight");
-    await page.locator("body").press("e");
-  });
   await test.step("the whole shape is taken in hand: its parameters move, its points are told to be the same", async () => {
     const before = (await studio.scene()).a.maps;
     const undo = page.getByRole("button", { name: "Undo", exact: true });
@@ -134,6 +114,25 @@ test("maps are changed by hand, by numbers and by keys, and their number, too", 
     expect((await studio.scene()).a.preset).toBe("gasket");
     expect(await studio.look()).toEqual(before);
   });
+});
+
+test("a number moves its own map, whatever lies over it", async ({ studio, page }) => {
+  await studio.open("a=tree&b=gasket&path=straight");
+  await page.locator("body").press("e");
+  const { maps } = (await studio.scene()).a;
+  for (const number of [1, 2, 3, 4]) {
+    const box = await page.locator(".overlay").getByText(`${number}`, { exact: true }).boundingBox();
+    if (!box) throw new Error(`there is no number ${number}`);
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 5, y - 9, { steps: 3 });
+    await page.mouse.move(x + 12, y - 20, { steps: 3 });
+    await page.mouse.up();
+    const now = (await studio.scene()).a.maps;
+    expect(now.flatMap((map, i) => (`${map}` === `${maps[i]}` ? [] : [i + 1]))).toEqual([number]);
+    await page.getByRole("button", { name: "Undo", exact: true }).click();
+  }
 });
 
 test("a shape has 64 maps at most", async ({ studio, page }) => {
