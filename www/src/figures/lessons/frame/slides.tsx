@@ -68,13 +68,15 @@ function Shown({ at: asked }: { at: number }) {
     slide.value = Math.min(last, Math.max(0, at + by));
   };
 
+  // Each time anew: the slides of the lesson before may be put away after these have begun.
+  useLayoutEffect(() => {
+    document.documentElement.dataset["slides"] = "";
+  });
   // The lesson is what it was; only one of its steps is seen.
   useEffect(() => {
-    const root = document.documentElement;
     const before = document.activeElement;
-    root.dataset["slides"] = "";
     return () => {
-      delete root.dataset["slides"];
+      delete document.documentElement.dataset["slides"];
       const here = steps().find(({ dataset }) => dataset["now"] !== undefined);
       for (const step of steps()) delete step.dataset["now"];
       if (here) toTop(here);
