@@ -2,6 +2,7 @@ import { computed } from "@preact/signals";
 import { useState } from "preact/hooks";
 import { directedAtBoth, type End, sameDirected, setStates, swapDirected } from "#document/directed/changes";
 import { directedShapes } from "#document/directed/directed";
+import { asClosedCurves } from "#document/directed/outlines";
 import { announce, notify } from "#document/notice";
 import { edit, endGesture, scene } from "#document/scene";
 import { BackToSystems } from "#stage/curve/BackToSystems";
@@ -134,6 +135,11 @@ const same = computed(() => {
   return now !== null && sameDirected(now);
 });
 
+const outlines = computed(() => {
+  const now = directedShapes.value;
+  return now?.a.outline !== undefined && now.b.outline !== undefined;
+});
+
 /** How the graphs are matched, and what is shown of every moment between them. */
 function OnTheWay() {
   const facts = wayFacts.value;
@@ -148,6 +154,12 @@ function OnTheWay() {
           : "Each state is made of copies of states. On the way each map of a state becomes a map of another, and so does what they copy. The way is straight: there is no map of parameters here."}
       </p>
       {!same.value && <Problem words={facts?.problem ?? null} />}
+      {facts?.problem != null && outlines.value && (
+        <div class="row">
+          <p>Both are outlines, which morph with each other as closed curves.</p>
+          <Button onClick={() => void asClosedCurves()}>As closed curves</Button>
+        </div>
+      )}
       {!same.value && facts?.match && (
         <div class={css["way"]}>
           <Way proof={facts.proof} match={facts.match} />

@@ -1,7 +1,9 @@
 /** Closed curves as shapes of several states: beside a system or another graph, edge by edge. */
 import type { Box } from "#geometry/boxes";
 import type { CurveShape, DirectedIfs, DirectedShape } from "#wasm/api";
+import { loadCurves, rough } from "#wasm/curve";
 import { directed, loadDirected } from "#wasm/directed";
+import { withoutCurves } from "../curve/changes";
 import { notify, wordsOf } from "../notice";
 import { edit, scene } from "../scene";
 import { openTool } from "../tool";
@@ -53,8 +55,22 @@ export async function fernBecomes(shape: CurveShape): Promise<boolean> {
   });
 }
 
+/** Two outlines as closed curves again, which morph with each other whatever their edges copy. */
+export async function asClosedCurves(): Promise<boolean> {
+  const now = scene.peek().directed;
+  const [first, last] = [now?.a, now?.b];
+  if (first?.outline === undefined || last?.outline === undefined) return false;
+  const [p, q] = [first.outline, last.outline];
+  return told({ name: first.name }, async () => {
+    await loadCurves();
+    const a = { name: first.name, curve: rough.unpackCurve(p) };
+    const b = { name: last.name, curve: rough.unpackCurve(q) };
+    edit((before) => ({ ...withoutCurves(before), curves: { a, b } }));
+  });
+}
+
 /** Whether it was done; what is in the way is said. */
-async function told({ name }: CurveShape, act: () => Promise<void>): Promise<boolean> {
+async function told({ name }: Pick<CurveShape, "name">, act: () => Promise<void>): Promise<boolean> {
   try {
     await act();
     return true;
