@@ -128,6 +128,24 @@ describe("Pyramid", () => {
     expect(pyramid.read({ ...at }, 2).state[0]).toBe(STATE.hidden);
   });
 
+  it("asks for the new strip alone when one moves, and shows the rest as it was", () => {
+    const pyramid = new Pyramid(morph);
+    const before = view(8, 0.4, 0.6);
+    work(pyramid, before, true);
+    // Moved by two fifths of what is seen.
+    const after = view(8, 0.4 + (0.4 * 3) / 8, 0.6);
+    const [from, to] = [windowOf(before), windowOf(after)];
+    expect(pyramid.missing(from, 8).fine).toEqual([]);
+    const { fine, count } = pyramid.missing(to, 8);
+    expect(fine.length).toBeGreaterThan(0);
+    expect(fine.length).toBeLessThan(0.6 * count);
+    const { width, height, bounds, state } = pyramid.read(to, 8);
+    for (let k = 0; k < width * height; k++) {
+      const u = bounds.u0 + ((bounds.u1 - bounds.u0) * (k % width)) / (width - 1);
+      if (u <= from.u1) expect(state[k]).toBe(STATE.disconnected);
+    }
+  });
+
   it("keeps what is looked at, however much is looked at elsewhere", () => {
     const pyramid = new Pyramid(morph);
     const here = view(2);
