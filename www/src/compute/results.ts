@@ -39,10 +39,13 @@ export interface Frame {
   stale: boolean;
 }
 
-/** A still whose morph has changed. Of other shapes it shows nothing until there is a picture of them. */
-export const outdated = ({ t, bitmap }: Frame, others: boolean): Frame => ({
+/**
+ * A still that is to be made anew. Of other shapes it shows nothing until there is a picture of them; what is known of
+ * it holds where only colours have changed.
+ */
+export const outdated = ({ t, bitmap, verdict }: Frame, others: boolean, coloured = false): Frame => ({
   t,
-  verdict: null,
+  verdict: coloured ? verdict : null,
   bitmap: others ? null : bitmap,
   stale: true,
 });

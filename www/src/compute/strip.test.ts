@@ -13,6 +13,8 @@ const frame = {
 it("keeps a picture of the same shapes, as one of before, and none of others", () => {
   expect(outdated(frame, false)).toEqual({ t: 0.25, verdict: null, bitmap: frame.bitmap, stale: true });
   expect(outdated(frame, true)).toEqual({ t: 0.25, verdict: null, bitmap: null, stale: true });
+  // Other colours change nothing of what is known.
+  expect(outdated(frame, false, true)).toEqual({ ...frame, stale: true });
 });
 
 it("tells shapes apart by what stands at the two ends", () => {

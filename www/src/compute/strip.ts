@@ -99,6 +99,7 @@ const colours = computed(() => pieceColours(dark.value ? "dark" : "light"));
 export function scheduleStrip(): void {
   let timer: ReturnType<typeof setTimeout> | null = null;
   let shapes = "";
+  let last: Pick<What, "inputs" | "points"> | null = null;
   setFrames((frame) => frame);
   effect(() => {
     const what = {
@@ -111,7 +112,9 @@ export function scheduleStrip(): void {
     untracked(() => {
       const before = shapes;
       shapes = namesOf(scene.peek());
-      setFrames((frame) => outdated(frame, shapes !== before));
+      const coloured = last?.inputs === what.inputs && last.points === what.points;
+      last = what;
+      setFrames((frame) => outdated(frame, shapes !== before, coloured));
       if (timer) clearTimeout(timer);
       timer = setTimeout(() => submit(stripJob(what)), SETTLE_MS);
     });
