@@ -55,7 +55,10 @@ pub mod bent;
 mod coverage;
 mod density;
 mod directed;
-#[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
+#[cfg(any(
+    all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")),
+    all(frond_card, not(target_arch = "wasm32"), feature = "webgpu")
+))]
 pub mod gpu;
 pub mod mesh;
 mod picture;

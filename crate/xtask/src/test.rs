@@ -148,7 +148,7 @@ const CHECKS: &[Check] = &[
     Check {
         group: ON_DEMAND,
         name: "card",
-        what: "the locus by this machine's own graphics card, natively; only when named",
+        what: "what this machine's own graphics card draws and decides, natively; only when named",
         set_up: nothing,
         work: Work::All(card),
     },
@@ -277,10 +277,10 @@ fn deep() -> Outcome {
     run(&mut command)
 }
 
-/// The browser tests try the same shader on the software GPU. wgpu for the interfaces of the system takes minutes to
+/// The same tests try the shaders in the browser, on the software GPU. wgpu for the interfaces of the system takes minutes to
 /// compile, and a machine without a card has nothing to try.
 fn card() -> Outcome {
-    run(&mut with_card("test --package frond-render --test locus -- --nocapture"))
+    run(&mut with_card("test --package frond-render --test browser -- --nocapture"))
 }
 
 /// Cargo, where what needs the card of this machine is compiled: in a folder of its own, or all else would be compiled

@@ -124,6 +124,12 @@ impl Gpu {
         ReadBack::begin(&self.card, texture, self.loss())
     }
 
+    /// Waits until all is drawn that was asked for.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn finish(&self) {
+        self.card.finish();
+    }
+
     /// Whether the device is lost, so that no call has an effect any more.
     #[must_use]
     pub fn is_lost(&self) -> bool {

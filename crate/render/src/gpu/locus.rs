@@ -10,6 +10,8 @@ use std::task::{Context, Poll, Waker};
 use bytemuck::{Pod, Zeroable};
 use thiserror::Error;
 
+use super::webgpu::{adapter, name};
+
 /// What is to be decided, as `frond_locus::SingleLocus` gives it.
 #[derive(Clone, Copy, Debug)]
 pub struct LocusJob<'a> {
@@ -67,6 +69,8 @@ pub struct LocusGpu {
     pipeline: wgpu::ComputePipeline,
     bindings: wgpu::BindGroupLayout,
     trouble: Arc<Trouble>,
+    /// The most samples of one command.
+    pub at_once: u32,
     /// The name of the graphics card, as far as is told.
     pub description: String,
     /// Whether the processor stands in for a graphics card: then nothing is won.
@@ -94,8 +98,8 @@ struct Job {
 
 /// Samples along each side of a workgroup.
 const WORKGROUP_SIDE: u32 = 8;
-/// The most samples of one command: each takes microseconds of one core of the card at most, and a card that does not
-/// answer for seconds is taken to hang.
+/// The most samples of one command by default: each takes microseconds of one core of the card at most, and a card that
+/// does not answer for seconds is taken to hang.
 const MOST_SAMPLES_AT_ONCE: u32 = 1 << 15;
 /// The most samples of a job.
 const MOST_SAMPLES: usize = 1 << 24;
@@ -110,12 +114,7 @@ impl LocusGpu {
     /// [`LocusError::NoGpu`].
     pub async fn open() -> Result<Self, LocusError> {
         let no_gpu = |detail: String| LocusError::NoGpu { detail };
-        let instance = Self::instance().await.map_err(no_gpu)?;
-        let options = wgpu::RequestAdapterOptions {
-            power_preference: wgpu::PowerPreference::HighPerformance,
-            ..wgpu::RequestAdapterOptions::default()
-        };
-        let adapter = instance.request_adapter(&options).await.map_err(|e| no_gpu(e.to_string()))?;
+        let (_, adapter) = adapter().await.map_err(no_gpu)?;
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("locus"),
             required_limits: wgpu::Limits::downlevel_defaults(),
@@ -125,37 +124,11 @@ impl LocusGpu {
         let trouble = Arc::new(Trouble::default());
         trouble.watch(&device);
         let (pipeline, bindings) = pipeline(&device);
-        let info = adapter.get_info();
-        let description = Self::name(&info).await;
-        let software = super::is_software(info.device_type == wgpu::DeviceType::Cpu, &description);
-        Ok(Self { device, queue, pipeline, bindings, trouble, description, software })
-    }
-
-    #[cfg(target_arch = "wasm32")]
-    async fn instance() -> Result<wgpu::Instance, String> {
-        if !wgpu::util::is_browser_webgpu_supported().await {
-            return Err("no WebGPU adapter".into());
-        }
-        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
-        descriptor.backends = wgpu::Backends::BROWSER_WEBGPU;
-        Ok(wgpu::util::new_instance_with_webgpu_detection(descriptor).await)
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    #[expect(clippy::unused_async, reason = "the browser has to be waited for")]
-    async fn instance() -> Result<wgpu::Instance, String> {
-        Ok(wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle()))
-    }
-
-    #[cfg(target_arch = "wasm32")]
-    async fn name(_: &wgpu::AdapterInfo) -> String {
-        super::webgpu::webgpu_names().await
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    #[expect(clippy::unused_async, reason = "the browser has to be asked")]
-    async fn name(info: &wgpu::AdapterInfo) -> String {
-        format!("{}, {:?}, {} {}", info.name, info.backend, info.driver, info.driver_info)
+        let description = name(&adapter).await;
+        let is_cpu = adapter.get_info().device_type == wgpu::DeviceType::Cpu;
+        let software = super::is_software(is_cpu, &description);
+        let at_once = MOST_SAMPLES_AT_ONCE;
+        Ok(Self { device, queue, pipeline, bindings, trouble, at_once, description, software })
     }
 
     /// Decides all samples, row by row from the bottom: for each the bits of the gap, with the number of the state in
@@ -164,6 +137,14 @@ impl LocusGpu {
     /// # Errors
     /// All but [`LocusError::NoGpu`].
     pub async fn run(&self, job: LocusJob<'_>) -> Result<Vec<u32>, LocusError> {
+        self.begin(job)?.answers().await
+    }
+
+    /// Has the card begin with it.
+    ///
+    /// # Errors
+    /// All but [`LocusError::NoGpu`].
+    pub fn begin(&self, job: LocusJob<'_>) -> Result<Deciding<'_>, LocusError> {
         let LocusJob { maps, epsilon, columns, rows } = job;
         if !(1..=Self::MAX_MAPS).contains(&maps) || columns.len() % maps != 0 || rows.len() % maps != 0 {
             return Err(LocusError::Size);
@@ -171,7 +152,7 @@ impl LocusGpu {
         let (width, height) = (columns.len() / maps, rows.len() / maps);
         let samples = width.checked_mul(height).filter(|n| *n <= MOST_SAMPLES).ok_or(LocusError::Size)?;
         if samples == 0 {
-            return Ok(Vec::new());
+            return Ok(Deciding { gpu: self, back: None });
         }
         self.trouble.check()?;
         let (width, height) = (width as u32, height as u32);
@@ -182,7 +163,7 @@ impl LocusGpu {
         let answers =
             self.buffer("answers", wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC, size);
         let back = self.buffer("read", wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST, size);
-        let band = (MOST_SAMPLES_AT_ONCE / width).next_multiple_of(WORKGROUP_SIDE).max(WORKGROUP_SIDE);
+        let band = (self.at_once / width).next_multiple_of(WORKGROUP_SIDE).max(WORKGROUP_SIDE);
         for first in (0..height).step_by(band as usize) {
             let own = Job { maps: maps as u32, epsilon, width, height, first, padding: [0; 3] };
             let uniform = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
@@ -192,19 +173,13 @@ impl LocusGpu {
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_buffer_to_buffer(&answers, 0, &back, 0, size);
         self.queue.submit([encoder.finish()]);
-        let arrival = Arrival::default();
-        let told = arrival.clone();
-        back.map_async(wgpu::MapMode::Read, .., move |result| told.tell(result.is_ok()));
-        // The browser looks after itself.
-        #[cfg(not(target_arch = "wasm32"))]
+        Ok(Deciding { gpu: self, back: Some(back) })
+    }
+
+    /// Waits until the card has done all that it was asked.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn finish(&self) {
         let _ = self.device.poll(wgpu::PollType::wait_indefinitely());
-        let arrived = arrival.await;
-        self.trouble.check()?;
-        let mapped = back.slice(..).get_mapped_range();
-        match mapped {
-            Ok(bytes) if arrived => Ok(bytemuck::pod_collect_to_vec(&bytes)),
-            _ => Err(LocusError::Lost),
-        }
     }
 
     fn buffer(&self, label: &str, usage: wgpu::BufferUsages, size: u64) -> wgpu::Buffer {
@@ -242,6 +217,35 @@ impl LocusGpu {
             pass.dispatch_workgroups(width.div_ceil(WORKGROUP_SIDE), rows.div_ceil(WORKGROUP_SIDE), 1);
         }
         self.queue.submit([encoder.finish()]);
+    }
+}
+
+/// What the card works on.
+#[derive(Debug)]
+pub struct Deciding<'a> {
+    gpu: &'a LocusGpu,
+    back: Option<wgpu::Buffer>,
+}
+
+impl Deciding<'_> {
+    /// The answers, once they have come: see [`LocusGpu::run`].
+    ///
+    /// # Errors
+    /// [`LocusError::Lost`] and [`LocusError::Fault`].
+    pub async fn answers(self) -> Result<Vec<u32>, LocusError> {
+        let Some(back) = self.back else { return Ok(Vec::new()) };
+        let arrival = Arrival::default();
+        let told = arrival.clone();
+        back.map_async(wgpu::MapMode::Read, .., move |result| told.tell(result.is_ok()));
+        // The browser looks after itself.
+        #[cfg(not(target_arch = "wasm32"))]
+        self.gpu.finish();
+        let arrived = arrival.await;
+        self.gpu.trouble.check()?;
+        match back.slice(..).get_mapped_range() {
+            Ok(bytes) if arrived => Ok(bytemuck::pod_collect_to_vec(&bytes)),
+            _ => Err(LocusError::Lost),
+        }
     }
 }
 

@@ -4,11 +4,13 @@ use frond_core::{Affine2, Morph, MorphOptions};
 use frond_locus::{Bounds, LocusGrid, SingleLocus, State, unpack_single};
 use frond_render::gpu::{LocusError, LocusGpu, LocusJob};
 use glam::DVec2;
-use wasm_bindgen_test::{console_log, wasm_bindgen_test};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+use crate::card::print;
 
 async fn open() -> LocusGpu {
     let gpu = LocusGpu::open().await.unwrap();
-    console_log!("{}", gpu.description);
+    print(&gpu.description);
     gpu
 }
 
@@ -54,11 +56,11 @@ async fn compare(gpu: &LocusGpu, single: &SingleLocus, grid: &LocusGrid) {
             assert!(seen.gap > 0.4 * twin.gap && twin.gap > 0.4 * seen.gap, "{at}");
         }
     }
-    console_log!("{states:?} by the twin; {differ} decided differently, {one} by one of the two");
+    print(&format!("{states:?} by the twin; {differ} decided differently, {one} by one of the two"));
     assert!(differ * 500 <= samples && one * 50 <= samples, "{differ} {one}");
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn the_card_answers_as_its_twin() {
     let gpu = open().await;
     let morph = Morph::new(&dragon(), &gasket(), &MorphOptions::default()).unwrap();
@@ -71,11 +73,25 @@ async fn the_card_answers_as_its_twin() {
     for sides in [2, 4, 8] {
         compare(&gpu, &SingleLocus::of_polygons(sides, &grid, 1e-3).unwrap(), &grid).await;
     }
-    let none = gpu.run(LocusJob { maps: 9, epsilon: 1e-3, columns: &[], rows: &[] }).await;
-    assert_eq!(none, Err(LocusError::Size));
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
+async fn jobs_that_are_none_are_refused() {
+    let gpu = open().await;
+    let run = async |maps, columns: &[[f32; 8]], rows: &[[f32; 8]]| {
+        gpu.run(LocusJob { maps, epsilon: 1e-3, columns, rows }).await
+    };
+    let some = [[0.1; 8]; 9];
+    assert_eq!(run(0, &some, &some).await, Err(LocusError::Size));
+    assert_eq!(run(9, &some, &some).await, Err(LocusError::Size));
+    assert_eq!(run(2, &some, &some).await, Err(LocusError::Size));
+    assert_eq!(run(3, &[], &some).await, Ok(Vec::new()));
+    assert_eq!(run(3, &some, &some).await.map(|answers| answers.len()), Ok(9));
+    let many = vec![[0.0; 8]; 5000];
+    assert_eq!(run(1, &many, &many).await, Err(LocusError::Size));
+}
+
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn two_devices_live_and_die_apart() {
     let (first, second) = (open().await, open().await);
     // s z - 1 and s z + 1 over real s: two points at 0, a segment from 1/2 on, certain from the root of 1/2 on.

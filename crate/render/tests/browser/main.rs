@@ -1,7 +1,9 @@
-//! What graphics cards draw and decide, in a browser: in a worker, where no page is.
-#![cfg(target_arch = "wasm32")]
+//! What graphics cards draw and decide: in a browser, in a worker where no page is; and natively, where nobody sees it,
+//! by the card of this machine (`cargo xtask test card`).
+#![cfg(any(target_arch = "wasm32", frond_card))]
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail so")]
 
+#[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test_configure;
 
 mod card;
@@ -11,4 +13,5 @@ mod render;
 mod sheet;
 mod space;
 
+#[cfg(target_arch = "wasm32")]
 wasm_bindgen_test_configure!(run_in_dedicated_worker);

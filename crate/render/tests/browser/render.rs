@@ -6,15 +6,16 @@ use std::rc::Rc;
 
 use frond_core::{Affine2, Colouring, Hull, Ifs};
 use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin, Tint};
-use frond_render::gpu::{Event, Stage, Style, Wanted};
+use frond_render::gpu::{Canvas, Event, Stage, Style, Wanted};
 use frond_render::{
     Colours, Density, Detail, Frame, Plan, RasterOptions, View, Window, rasterize, resolve_codes,
     resolve_density, to_bytes,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
-use web_sys::OffscreenCanvas;
 
-use crate::card::{BACKENDS, card_on, picture_of, shown_on};
+#[cfg(target_arch = "wasm32")]
+use crate::card::shown_on;
+use crate::card::{BACKENDS, canvas, card_on, picture_of};
 
 const WINDOW: Window = Window { width: 150, height: 100 };
 /// More points than any of the pictures has.
@@ -24,11 +25,11 @@ type Events = Rc<RefCell<Vec<Event>>>;
 
 /// A stage of the backend, and what happens to it.
 async fn stage(wanted: Wanted, software: bool) -> (Stage, Events) {
-    stage_on(&OffscreenCanvas::new(WINDOW.width, WINDOW.height).unwrap(), wanted, software).await
+    stage_on(&canvas([WINDOW.width, WINDOW.height]), wanted, software).await
 }
 
 /// The same, on a canvas.
-async fn stage_on(canvas: &OffscreenCanvas, wanted: Wanted, software: bool) -> (Stage, Events) {
+async fn stage_on(canvas: &Canvas, wanted: Wanted, software: bool) -> (Stage, Events) {
     let events = Events::default();
     let heard = Rc::clone(&events);
     let mut gpu = card_on(canvas, wanted, move |event| heard.borrow_mut().push(event.clone())).await;
@@ -152,7 +153,7 @@ fn plan(subject: &Subject, factor: f64) -> Plan {
     plan
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn points_and_their_colours_are_those_of_the_twins() {
     for &wanted in BACKENDS {
         let (mut stage, events) = stage(wanted, false).await;
@@ -173,10 +174,11 @@ async fn points_and_their_colours_are_those_of_the_twins() {
     }
 }
 
+#[cfg(target_arch = "wasm32")]
 #[wasm_bindgen_test]
 async fn the_canvas_shows_what_is_read() {
     for &wanted in BACKENDS {
-        let canvas = OffscreenCanvas::new(WINDOW.width, WINDOW.height).unwrap();
+        let canvas = canvas([WINDOW.width, WINDOW.height]);
         let (mut stage, events) = stage_on(&canvas, wanted, false).await;
         // It is another picture upside down.
         show(&mut stage, &subject("fern"), Colouring::Map, 2.0, PLENTY);
@@ -186,7 +188,7 @@ async fn the_canvas_shows_what_is_read() {
     }
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn a_small_budget_gives_a_whole_picture_of_fewer_pixels() {
     for &wanted in BACKENDS {
         let (mut stage, events) = stage(wanted, false).await;
@@ -202,7 +204,7 @@ async fn a_small_budget_gives_a_whole_picture_of_fewer_pixels() {
     }
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn densities_are_those_of_the_twins() {
     for &wanted in BACKENDS {
         for software in [false, true] {
@@ -247,7 +249,7 @@ fn disagreement(seen: &[u8], truth: &[u8]) -> (f64, f64) {
     (share(missed), share(extra))
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn at_rest_the_picture_is_complete() {
     for &wanted in BACKENDS {
         let (mut stage, events) = stage(wanted, false).await;
@@ -313,7 +315,7 @@ fn bent_truth(subject: &Subject, bend: &Bend, colouring: Colouring) -> Vec<u8> {
     rasterize(&subject.ifs, &options).unwrap()
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn bent_pictures_are_those_of_the_processor() {
     for &wanted in BACKENDS {
         for software in [false, true] {
@@ -348,7 +350,7 @@ async fn bent_pictures_are_those_of_the_processor() {
     }
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn bends_carry_colours_and_densities() {
     for &wanted in BACKENDS {
         for software in [false, true] {
@@ -378,7 +380,7 @@ async fn bends_carry_colours_and_densities() {
     }
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn swept_pictures_are_those_of_the_processor() {
     for &wanted in BACKENDS {
         for (name, software) in [("dragon", true), ("overlap", true), ("overlap", false)] {
@@ -401,7 +403,7 @@ async fn swept_pictures_are_those_of_the_processor() {
     }
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn a_change_of_colours_needs_no_new_points() {
     for &wanted in BACKENDS {
         let (mut stage, events) = stage(wanted, false).await;
@@ -417,7 +419,7 @@ async fn a_change_of_colours_needs_no_new_points() {
     }
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn views_that_are_none_and_canvases_of_no_size_draw_nothing() {
     for &wanted in BACKENDS {
         let (mut stage, events) = stage(wanted, false).await;

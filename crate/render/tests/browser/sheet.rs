@@ -8,9 +8,9 @@ use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin};
 use frond_render::gpu::{Event, Stage, Wanted};
 use frond_render::{BentSheet, Photo, Sheet, SheetOptions, View, draw_sheet};
 use glam::DVec2;
-use wasm_bindgen_test::{console_log, wasm_bindgen_test};
+use wasm_bindgen_test::wasm_bindgen_test;
 
-use crate::card::{BACKENDS, card, picture_of};
+use crate::card::{BACKENDS, card, picture_of, print};
 
 const SIZE: (u32, u32) = (180, 120);
 
@@ -81,13 +81,13 @@ async fn compare(stage: &mut Stage, photo: &Photo, sheet: &Sheet, view: View, wh
     let options = SheetOptions { width: SIZE.0, height: SIZE.1, view: Some(view), smooth: true };
     let twin = draw_sheet(photo, sheet, &options).unwrap();
     let (mean, others) = differences(&seen, &twin);
-    console_log!("{what}: {mean:.3} a byte, {others:.4} of the pixels");
+    print(&format!("{what}: {mean:.3} a byte, {others:.4} of the pixels"));
     assert!(mean < 1.5 && others < 0.01, "{what}: {mean} {others}");
     let lit = |picture: &[u8]| picture.as_chunks::<4>().0.iter().filter(|p| p[3] > 0).count();
     assert!(lit(&seen).abs_diff(lit(&twin)) * 200 < lit(&twin).max(200), "{what}");
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn the_card_draws_what_the_processor_does() {
     let photo = Photo::new(&bytes(150, 100), 150, 100).unwrap();
     let aspect = photo.aspect();

@@ -106,7 +106,7 @@ async fn pictures(wanted: Wanted) {
     }
 }
 
-#[wasm_bindgen_test]
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn the_card_draws_what_the_twins_draw() {
     for &wanted in BACKENDS {
         pictures(wanted).await;

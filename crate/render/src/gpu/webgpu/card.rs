@@ -2,10 +2,6 @@
 
 use std::sync::Arc;
 
-use js_sys::{Function, Promise, Reflect, global};
-use wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_futures::JsFuture;
-
 use crate::gpu::events::Loss;
 use crate::gpu::words::Format;
 
@@ -54,7 +50,7 @@ impl Card {
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| loss.fault(&error.to_string())));
         let float32 = device.features().contains(wgpu::Features::FLOAT32_BLENDABLE);
         Self {
-            description: webgpu_names().await,
+            description: name(adapter).await,
             software: adapter.get_info().device_type == wgpu::DeviceType::Cpu,
             max_side: device.limits().max_texture_dimension_2d,
             densities: true,
@@ -76,14 +72,52 @@ impl Card {
         }
     }
 
+    /// Waits until all is done that it was told.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn finish(&self) {
+        let _ = self.device.poll(wgpu::PollType::wait_indefinitely());
+    }
+
     /// Destroys the device.
     pub fn destroy(&self) {
         self.device.destroy();
     }
 }
 
-/// What WebGPU tells of its adapter, which wgpu does not pass on. Empty where anything is missing.
-pub async fn webgpu_names() -> String {
+/// The fastest adapter that is there.
+pub async fn adapter() -> Result<(wgpu::Instance, wgpu::Adapter), String> {
+    let instance = instance().await?;
+    let options = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::HighPerformance,
+        ..wgpu::RequestAdapterOptions::default()
+    };
+    let adapter = instance.request_adapter(&options).await.map_err(|e| e.to_string())?;
+    Ok((instance, adapter))
+}
+
+#[cfg(target_arch = "wasm32")]
+async fn instance() -> Result<wgpu::Instance, String> {
+    if !wgpu::util::is_browser_webgpu_supported().await {
+        return Err("no WebGPU adapter".into());
+    }
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = wgpu::Backends::BROWSER_WEBGPU;
+    Ok(wgpu::util::new_instance_with_webgpu_detection(descriptor).await)
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+#[expect(clippy::unused_async, reason = "the browser has to be waited for")]
+async fn instance() -> Result<wgpu::Instance, String> {
+    Ok(wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle()))
+}
+
+/// What a browser tells of its adapter, which wgpu does not pass on. Empty where anything is missing.
+#[cfg(target_arch = "wasm32")]
+pub async fn name(_: &wgpu::Adapter) -> String {
+    use js_sys::{Function, Promise, Reflect, global};
+    use wasm_bindgen::{JsCast, JsValue};
+    use wasm_bindgen_futures::JsFuture;
+
     async fn info() -> Result<JsValue, JsValue> {
         let gpu = Reflect::get(&Reflect::get(&global(), &"navigator".into())?, &"gpu".into())?;
         let request: Function = Reflect::get(&gpu, &"requestAdapter".into())?.dyn_into()?;
@@ -95,4 +129,12 @@ pub async fn webgpu_names() -> String {
     let names =
         ["vendor", "architecture", "device", "description"].map(|name| field(name).unwrap_or_default());
     names.into_iter().filter(|name| !name.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+/// What the system tells of an adapter.
+#[cfg(not(target_arch = "wasm32"))]
+#[expect(clippy::unused_async, reason = "the browser has to be asked")]
+pub async fn name(adapter: &wgpu::Adapter) -> String {
+    let info = adapter.get_info();
+    format!("{}, {:?}, {} {}", info.name, info.backend, info.driver, info.driver_info)
 }

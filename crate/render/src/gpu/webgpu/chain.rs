@@ -1,6 +1,6 @@
 //! The frames of a canvas.
 
-use super::card::Card;
+use super::card::{Card, adapter};
 use super::texture::Texture;
 use crate::gpu::canvas::Canvas;
 use crate::gpu::events::Loss;
@@ -25,17 +25,7 @@ impl Chain {
     /// Opens a device for a canvas. The device comes before the surface: a canvas that has once been used for WebGPU
     /// cannot go back.
     pub async fn open(canvas: &Canvas, loss: Loss) -> Result<(Card, Self), String> {
-        if !wgpu::util::is_browser_webgpu_supported().await {
-            return Err("no WebGPU adapter".into());
-        }
-        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
-        descriptor.backends = wgpu::Backends::BROWSER_WEBGPU;
-        let instance = wgpu::util::new_instance_with_webgpu_detection(descriptor).await;
-        let options = wgpu::RequestAdapterOptions {
-            power_preference: wgpu::PowerPreference::HighPerformance,
-            ..wgpu::RequestAdapterOptions::default()
-        };
-        let adapter = instance.request_adapter(&options).await.map_err(|e| e.to_string())?;
+        let (instance, adapter) = adapter().await?;
         let device = Card::request(&adapter).await?;
         let target = match canvas.clone() {
             Canvas::Html(canvas) => wgpu::SurfaceTarget::Canvas(canvas),

@@ -1,7 +1,6 @@
 //! Getting a picture back from the graphics card.
 
-use std::cell::Cell;
-use std::rc::Rc;
+use std::sync::{Arc, OnceLock};
 
 use super::card::Card;
 use super::texture::{Texture, extent};
@@ -12,11 +11,11 @@ use crate::picture::window::Window;
 #[derive(Debug)]
 pub struct ReadBack {
     /// It is there until the picture has arrived.
-    _device: wgpu::Device,
+    device: wgpu::Device,
     buffer: wgpu::Buffer,
     window: Window,
     stride: u32,
-    state: Rc<Cell<Option<bool>>>,
+    state: Arc<OnceLock<bool>>,
     loss: Loss,
 }
 
@@ -40,10 +39,12 @@ impl ReadBack {
             extent(window),
         );
         card.queue.submit([encoder.finish()]);
-        let state = Rc::new(Cell::new(None));
-        let told = Rc::clone(&state);
-        buffer.slice(..).map_async(wgpu::MapMode::Read, move |result| told.set(Some(result.is_ok())));
-        Self { _device: card.device.clone(), buffer, window, stride, state, loss }
+        let state = Arc::new(OnceLock::new());
+        let told = Arc::clone(&state);
+        buffer.slice(..).map_async(wgpu::MapMode::Read, move |result| {
+            let _ = told.set(result.is_ok());
+        });
+        Self { device: card.device.clone(), buffer, window, stride, state, loss }
     }
 
     /// The picture if it has arrived: RGBA with straight alpha, row 0 on top. `Some(None)` when it never
@@ -52,8 +53,9 @@ impl ReadBack {
         if self.loss.is_lost() {
             return Some(None);
         }
-        let arrived = self.state.get()?;
-        if !arrived {
+        // A browser does this by itself.
+        let _ = self.device.poll(wgpu::PollType::Poll);
+        if !*self.state.get()? {
             return Some(None);
         }
         let Ok(mapped) = self.buffer.slice(..).get_mapped_range() else { return Some(None) };
