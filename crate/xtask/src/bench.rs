@@ -14,8 +14,8 @@ use crate::stamp;
 use crate::step::Steps;
 use crate::test::{free_port, with_card};
 
-/// The native bench that needs the card of this machine.
-const ON_CARD: &str = "locus_gpu";
+/// The native benches that need the card of this machine.
+const ON_CARD: [&str; 2] = ["locus_gpu", "stage_gpu"];
 
 /// Runs the benches whose name is among `wanted`, or all.
 ///
@@ -32,7 +32,7 @@ pub fn bench(steps: &mut Steps, wanted: &[String]) -> Outcome {
     for (package, name) in native.iter().filter(|(_, name)| chosen(name)) {
         steps.run(&format!("bench {name}"), || {
             let line = format!("bench --package {package} --bench {name}");
-            run(&mut if name == ON_CARD { with_card(&line) } else { cargo(&line) })
+            run(&mut if ON_CARD.contains(&name.as_str()) { with_card(&line) } else { cargo(&line) })
         })?;
     }
     if pages.iter().any(&chosen) {
