@@ -28,24 +28,24 @@ mod measure {
     }
 
     pub fn main() {
-        let mut gpu = match pollster::block_on(LocusGpu::open()) {
+        let gpu = match pollster::block_on(LocusGpu::open()) {
             Ok(gpu) => gpu,
             Err(problem) => return println!("not measured, {}: {problem}", problem.code()),
         };
         let software = if gpu.software { " (no graphics card: this says nothing of speed)" } else { "" };
         println!("adapter: {}{software}", gpu.description);
         let morph = dragon_to_gasket();
-        let first = gpu.at_once;
+        let first = gpu.at_once.get();
         let (sizes, runs) = if gpu.software { (vec![128], 1) } else { (vec![128, 256, 1024], 10) };
         for size in sizes {
             for epsilon in [1.0 / 600.0, 1e-4, 1e-5] {
                 let grid = LocusGrid::new(Bounds::first(), size, size).expect("a grid");
                 let mut answers = Vec::new();
-                // As the page has it, then in fewer and larger commands.
+                // As the page begins, then in fewer and larger commands, as it goes on where they are soon done.
                 for at_once in
                     [first, 1 << 17, 1 << 20].into_iter().filter(|n| *n <= first.max((size * size) as u32))
                 {
-                    gpu.at_once = at_once;
+                    gpu.at_once.set(at_once);
                     let best = (0..runs)
                         .map(|_| run(&gpu, &morph, &grid, epsilon, &mut answers))
                         .min_by(|a, b| a.whole().total_cmp(&b.whole()))

@@ -76,6 +76,30 @@ async fn the_card_answers_as_its_twin() {
 }
 
 #[wasm_bindgen_test(unsupported = pollster::test)]
+async fn commands_grow_where_they_are_soon_done() {
+    let gpu = open().await;
+    let morph = Morph::new(&dragon(), &gasket(), &MorphOptions::default()).unwrap();
+    let first = gpu.at_once.get();
+    let samples = 2 * first as usize;
+    gpu.took(samples, 20.0);
+    assert_eq!(gpu.at_once.get(), first, "neither soon nor late");
+    gpu.took(samples, 2.0);
+    assert_eq!(gpu.at_once.get(), 4 * first);
+    gpu.took(samples, 2.0);
+    assert_eq!(gpu.at_once.get(), 4 * first, "one command is enough");
+    gpu.took(samples, 200.0);
+    gpu.took(samples, 200.0);
+    assert_eq!(gpu.at_once.get(), first, "not smaller than at first");
+    // A band of eight rows, and the row that is left: as all at once.
+    gpu.at_once.set(1);
+    let grid = LocusGrid::new(Bounds::default(), 9, 9).unwrap();
+    let single = SingleLocus::of_morph(&morph, 0.0, &grid, 1e-3).unwrap();
+    let parts = gpu.run(job(&single)).await.unwrap();
+    gpu.at_once.set(1 << 20);
+    assert_eq!(gpu.run(job(&single)).await.unwrap(), parts);
+}
+
+#[wasm_bindgen_test(unsupported = pollster::test)]
 async fn jobs_that_are_none_are_refused() {
     let gpu = open().await;
     let run = async |maps, columns: &[[f32; 8]], rows: &[[f32; 8]]| {

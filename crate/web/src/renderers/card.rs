@@ -109,6 +109,7 @@ async fn decide(
         rows: single.rows(),
     };
     let answers = gpu.run(job).await.map_err(|error| of_gpu(&error))?;
+    gpu.took(answers.len(), now() - start);
     let samples = answers.iter().copied().map(unpack_single);
     let state: Vec<u8> = samples.clone().map(|sample| sample.state as u8).collect();
     let undecided = |sample: &frond_locus::Sample| sample.state == State::Undecided;
