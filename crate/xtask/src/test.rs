@@ -277,8 +277,8 @@ fn deep() -> Outcome {
     run(&mut command)
 }
 
-/// The same tests try the shaders in the browser, on the software GPU. wgpu for the interfaces of the system takes minutes to
-/// compile, and a machine without a card has nothing to try.
+/// The same tests try the shaders in the browser, on the software GPU. wgpu for the interfaces of the system takes
+/// minutes to compile, and a machine without a card has nothing to try.
 fn card() -> Outcome {
     run(&mut with_card("test --package frond-render --test browser -- --nocapture"))
 }

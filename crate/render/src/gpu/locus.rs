@@ -100,8 +100,8 @@ struct Job {
 /// Samples along each side of a workgroup.
 const WORKGROUP_SIDE: u32 = 8;
 /// The most samples of one command, at first and where a card is quick: each takes microseconds of one core of the card
-/// at most, and a card that does not answer for seconds is taken to hang. A large card is not half busy with the former:
-/// an NVIDIA H200 takes 22 to 76 ms for 1024 x 1024 samples in commands of the former size, 10 to 23 ms in one.
+/// at most, and a card that does not answer for seconds is taken to hang. A large card is not half busy with the
+/// former: an NVIDIA H200 takes 22 to 76 ms for 1024 x 1024 samples in commands of the former size, 10 to 23 ms in one.
 const SAMPLES_AT_ONCE: [u32; 2] = [1 << 15, 1 << 20];
 /// Milliseconds of a command that is soon done, and of one that takes too long.
 const SOON_MS: f64 = 4.0;

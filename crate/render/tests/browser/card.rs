@@ -53,7 +53,8 @@ mod browser {
         Canvas::Offscreen(OffscreenCanvas::new(width, height).unwrap())
     }
 
-    /// What a canvas shows now, with straight alpha: ask in the task that drew it, for its pixels go at the end of that.
+    /// What a canvas shows now, with straight alpha: ask in the task that drew it, for its pixels go at the end of
+    /// that.
     pub fn shown_on(canvas: &Canvas) -> Vec<u8> {
         let Canvas::Offscreen(canvas) = canvas else { panic!("it is a page's") };
         let code = "const { width, height } = canvas; const plain = new OffscreenCanvas(width, height).getContext('2d'); \
