@@ -10,8 +10,8 @@ export const STRIDES = [4, 2, 1] as const;
 /** What the document says of a picture: gaps that 600 pixels show. */
 export const EPSILON = 1 / 600;
 export const BOUNDS: Bounds = homeOf("morph");
-/** Samples along a side of a patch: a hundredth of a second or less, so that what is asked next never waits long. */
-const PATCH = 32;
+/** Samples along a side of a patch. */
+const PATCH = 64;
 /** The same of the picture of every second sample, which moves with the hand. */
 export const COARSE_SIZE = (SIZE - 1) / 2 + 1;
 const COARSE_PATCH = 32;
