@@ -68,7 +68,7 @@ test("a fit within so many bytes is told beside others of as many, and a link ho
   await expect(tool.status).toHaveText(/^\d\d bytes$/);
   expect((await tool.scene()).fit?.spline?.word).toBe(word);
   await page.getByRole("button", { name: "Bend it" }).click();
-  await expect.poll(() => page.url()).toContain("&curve-a=spline");
+  await expect.poll(() => page.url()).toContain("&curve-a=curve:");
 });
 
 test("each copy is seen with its arc, by keys and by pointer, and the curve grows out of its knots", async ({

@@ -15,6 +15,9 @@ pub const BYTES: std::ops::RangeInclusive<u32> = LEAST_BYTES as u32..=MOST_BYTES
 /// How many it may take where a document says nothing.
 pub const USUAL_BYTES: u32 = 150;
 
+/// The most letters of a spline's word: four for three bytes.
+const MOST_LETTERS: usize = (4 * MOST_BYTES).div_ceil(3);
+
 /// What is fitted.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -91,6 +94,13 @@ pub struct SplineShape {
 }
 
 impl SplineShape {
+    /// Whether its word has the letters, and is of the length, that words of splines may have.
+    #[must_use]
+    pub fn is_word(&self) -> bool {
+        let fair = |letter: u8| letter.is_ascii_alphanumeric() || letter == b'-' || letter == b'_';
+        (2..=MOST_LETTERS).contains(&self.word.len()) && self.word.bytes().all(fair)
+    }
+
     /// The curve.
     ///
     /// # Errors

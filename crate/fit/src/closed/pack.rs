@@ -232,7 +232,8 @@ struct Bits {
 }
 
 impl Bits {
-    /// The lowest `many` bits, the highest first.
+    /// The lowest `many` bits, the highest first. Once in the module for the first picture, not at each call.
+    #[inline(never)]
     fn put(&mut self, value: u64, many: u32) {
         for at in (0..many).rev() {
             if self.used.is_multiple_of(8) {
@@ -259,6 +260,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
+    #[inline(never)]
     fn take(&mut self, many: u32) -> Result<u64, PackError> {
         let mut value = 0;
         for _ in 0..many {

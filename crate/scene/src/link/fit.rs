@@ -3,13 +3,15 @@
 //! ```text
 //! curve-a=maple&curve-b=curve:AaBb..&curve-b-name=My%20leaf
 //! fit=outline:closed,260,0&fitted=curve:AaBb..&graph=fif:0.5,0.7,0.3,0,0,0,1;..
-//! fit=outline:spline,260,0&bytes=50&spline=AaBb..&spline-name=My%20leaf&curve-a=spline&curve-b=curve-a
+//! fit=outline:spline,260,0&bytes=50&spline=AaBb..&spline-name=My%20leaf
+//! curve-a=fitted&curve-b=curve-a&fitted=curve:AaBb..
 //! ```
 //!
 //! The word of a curve is [`ClosedCurve::to_text`], that of a spline
 //! [`Spline::to_text`](frond_fit::Spline::to_text); a piece of a graph is a, b, c, d, e and its domain. A curve that
-//! was taken from the fit of the same link, or is that of the other end, is not written twice: `fitted`, `spline` and
-//! `curve-a` stand for it.
+//! was taken from the fit of the same link, or is that of the other end, is not written twice: `fitted` and `curve-a`
+//! stand for it. Whether the word of a spline is one is left to those who draw it: what that takes is no part of the
+//! module for the first picture.
 
 use std::fmt::Write as _;
 
@@ -34,8 +36,7 @@ const KINDS: [(&str, GraphKind); 3] =
 type Keys = [&'static str; 3];
 const A: Keys = ["curve-a", "curve-a-name", "The first curve"];
 const B: Keys = ["curve-b", "curve-b-name", "The second curve"];
-const FITTED_WORD: &str = "fitted";
-const FITTED: Keys = [FITTED_WORD, "fitted-name", "The fitted curve"];
+const FITTED: Keys = ["fitted", "fitted-name", "The fitted curve"];
 const SPLINE: &str = "spline";
 const SPLINE_NAME: &str = "spline-name";
 
@@ -54,52 +55,29 @@ fn gallery(id: &str) -> Option<CurveShape> {
     })
 }
 
-/// The curves of a link that others are taken from, by the words that stand for them.
-struct Given(Vec<(&'static str, CurveShape)>);
+/// The curves of a link that others may be, by the words that stand for them.
+type Given<'a> = [Option<(&'static str, &'a CurveShape)>; 2];
 
-impl Given {
-    /// Those of a fit, as a morph takes them.
-    fn of(fit: Option<&Fit>) -> Self {
-        let taken = |name: &str, curve: &Curve| {
-            let curve = curve.taken().ok()?;
-            Some(CurveShape { preset: None, name: name.to_owned(), curve })
-        };
-        let fitted = fit.and_then(|fit| fit.curve.as_ref());
-        let fitted = fitted.and_then(|shape| Some((FITTED_WORD, taken(&shape.name, &shape.curve)?)));
-        let spline = fit.and_then(|fit| fit.spline.as_ref()).and_then(|shape| {
-            let curve = Curve::from(&shape.spline().ok()?.polygon());
-            Some((SPLINE, taken(&shape.name, &curve)?))
-        });
-        Self([fitted, spline].into_iter().flatten().collect())
-    }
+const NONE: &Given<'static> = &[None, None];
 
-    fn word(&self, curve: &Curve) -> Option<(&'static str, &str)> {
-        let (word, shape) = self.0.iter().find(|(_, shape)| shape.curve == *curve)?;
-        Some((word, &shape.name))
-    }
-
-    fn shape(&self, word: &str) -> Option<&CurveShape> {
-        self.0.iter().find(|(other, _)| *other == word).map(|(_, shape)| shape)
-    }
-
-    /// The first end may be the other, too.
-    fn and(mut self, shape: &CurveShape) -> Self {
-        self.0.push((A[0], CurveShape { preset: None, ..shape.clone() }));
-        self
-    }
+/// That of a fit, as a morph takes it.
+fn taken(fit: Option<&Fit>) -> Option<CurveShape> {
+    let shape = fit?.curve.as_ref()?;
+    Some(CurveShape { preset: None, name: shape.name.clone(), curve: shape.curve.taken().ok()? })
 }
 
 pub(super) fn write_curves(link: &mut String, curves: &Curves, fit: Option<&Fit>) -> Result<(), LinkError> {
-    let given = Given::of(fit);
-    write_curve(link, A, &curves.a, &given)?;
-    write_curve(link, B, &curves.b, &given.and(&curves.a))
+    let fitted = taken(fit);
+    let fitted = fitted.as_ref().map(|shape| (FITTED[0], shape));
+    write_curve(link, A, &curves.a, &[fitted, None])?;
+    write_curve(link, B, &curves.b, &[fitted, Some((A[0], &curves.a))])
 }
 
 fn write_curve(
     link: &mut String,
     [key, name_key, which]: Keys,
     shape: &CurveShape,
-    given: &Given,
+    given: &Given<'_>,
 ) -> Result<(), LinkError> {
     let same = |found: &CurveShape| found.curve == shape.curve;
     if let Some(id) = shape.preset.as_deref().filter(|id| gallery(id).as_ref().is_some_and(same)) {
@@ -107,9 +85,9 @@ fn write_curve(
         return Ok(());
     }
     let name = tidy(&shape.name);
-    if let Some((word, of)) = given.word(&shape.curve) {
+    if let Some((word, of)) = given.iter().flatten().find(|(_, of)| of.curve == shape.curve) {
         let _ = write!(link, "&{key}={word}");
-        write_name(link, name_key, if name == tidy(of) { "" } else { &name });
+        write_name(link, name_key, if name == tidy(&of.name) { "" } else { &name });
         return Ok(());
     }
     let unwritten = |source| LinkError::Curve { which, source };
@@ -138,13 +116,11 @@ pub(super) fn read_curves<'a>(
     let without = |[key, ..]: Keys, [other, ..]: Keys| {
         Err(LinkError::Value { key, value: format!("left out beside “{other}”") })
     };
-    if get(A[0]).is_none() && get(B[0]).is_none() {
-        return Ok(None);
-    }
-    let given = Given::of(fit);
-    let a = read_curve(get, A, &given)?;
-    let given = a.iter().fold(given, Given::and);
-    match (a, read_curve(get, B, &given)?) {
+    let fitted = taken(fit);
+    let fitted = fitted.as_ref().map(|shape| (FITTED[0], shape));
+    let a = read_curve(get, A, &[fitted, None])?;
+    let b = read_curve(get, B, &[fitted, a.as_ref().map(|a| (A[0], a))])?;
+    match (a, b) {
         (Some(a), Some(b)) => Ok(Some(Curves { a, b })),
         (None, None) => Ok(None),
         (Some(_), None) => without(B, A),
@@ -155,12 +131,12 @@ pub(super) fn read_curves<'a>(
 fn read_curve<'a>(
     get: &impl Fn(&str) -> Option<&'a str>,
     [key, name_key, _]: Keys,
-    given: &Given,
+    given: &Given<'_>,
 ) -> Result<Option<CurveShape>, LinkError> {
     let Some(text) = get(key) else { return Ok(None) };
-    if let Some(shape) = given.shape(text) {
+    if let Some((_, shape)) = given.iter().flatten().find(|(word, _)| *word == text) {
         let name = read_name(get, name_key).unwrap_or_else(|| tidy(&shape.name));
-        return Ok(Some(CurveShape { name, ..shape.clone() }));
+        return Ok(Some(CurveShape { preset: None, name, curve: shape.curve.clone() }));
     }
     let Some(word) = text.strip_prefix("curve:") else {
         return gallery(text).map(Some).ok_or_else(|| damaged(key, text));
@@ -175,14 +151,15 @@ pub(super) fn write_fit(link: &mut String, fit: &Fit) -> Result<(), LinkError> {
     let (mode, model) = (name_of(&MODES, &fit.mode), name_of(&MODELS, &fit.model));
     let _ = write!(link, "&fit={mode}:{model},{},{}", fit.numbers, number(fit.smoothing));
     if let Some(curve) = &fit.curve {
-        write_curve(link, FITTED, curve, &Given(Vec::new()))?;
+        write_curve(link, FITTED, curve, NONE)?;
     }
     if fit.bytes != USUAL_BYTES {
         let _ = write!(link, "&bytes={}", fit.bytes);
     }
     if let Some(shape) = &fit.spline {
-        // What is no spline is no word either.
-        shape.spline().map_err(|error| LinkError::Value { key: SPLINE, value: as_a("kept", &error) })?;
+        if !shape.is_word() {
+            return Err(damaged(SPLINE, &shape.word));
+        }
         let _ = write!(link, "&{SPLINE}={}", shape.word);
         write_name(link, SPLINE_NAME, &tidy(&shape.name));
     }
@@ -195,7 +172,7 @@ pub(super) fn write_fit(link: &mut String, fit: &Fit) -> Result<(), LinkError> {
 }
 
 pub(super) fn read_fit<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Fit>, LinkError> {
-    let (curve, graph) = (read_curve(get, FITTED, &Given(Vec::new()))?, read_graph(get)?);
+    let (curve, graph) = (read_curve(get, FITTED, NONE)?, read_graph(get)?);
     let (bytes, spline) = (read_bytes(get)?, read_spline(get)?);
     let Some(text) = get("fit") else {
         let mode = if graph.is_some() { FitMode::Graph } else { FitMode::Outline };
@@ -225,10 +202,7 @@ fn read_spline<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Spli
     let Some(word) = get(SPLINE) else { return Ok(None) };
     let name = read_name(get, SPLINE_NAME).unwrap_or_else(|| "Own curve".to_owned());
     let shape = SplineShape { name, word: word.to_owned() };
-    match shape.spline() {
-        Ok(_) => Ok(Some(shape)),
-        Err(error) => Err(LinkError::Value { key: SPLINE, value: as_a("read as a curve", &error) }),
-    }
+    if shape.is_word() { Ok(Some(shape)) } else { Err(damaged(SPLINE, word)) }
 }
 
 fn read_graph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Graph>, LinkError> {
