@@ -15,11 +15,12 @@ export function downloadFrom(url: string, name: string): void {
 
 /** A name as a part of a file's name: letters and digits, at most so many. */
 export function plainName(name: string, otherwise: string, most = 40): string {
-  const plain = name
+  const letters = name
+    .normalize()
     .toLowerCase()
-    .replace(/[^a-z0-9]+/g, "-")
-    .replace(/^-|-$/g, "")
-    .slice(0, most);
+    .replace(/[^\p{L}\p{N}]+/gu, "-")
+    .replace(/^-|-$/g, "");
+  const plain = [...letters].slice(0, most).join("");
   return plain || otherwise;
 }
 

@@ -41,7 +41,13 @@ function Halved() {
       }`}
     >
       <div class={layout["controls"]}>
-        <SliderControl label="scale" symbol="s" range={[0.5, 1]} value={scale} onChange={setScale} />
+        <SliderControl
+          label="scale"
+          symbol="s"
+          range={[0.5, 1]}
+          value={scale}
+          onChange={(next) => setScale(Number(next.toFixed(2)))}
+        />
       </div>
     </Exercise>
   );
