@@ -3,6 +3,7 @@ import { here, locusView, selection } from "#document/morph";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
 import { tool } from "#document/tool";
+import { fixed } from "#format/numbers";
 import { countWords } from "#format/verdict";
 import { fitStage } from "#stage/gestures";
 import { picture } from "#stage/stage";
@@ -18,11 +19,6 @@ const zoomWords = computed(() => {
   return z < 1e4 ? `×${Math.round(z)}` : `×${z.toExponential(1)}`;
 });
 
-/** Two digits, with a minus as wide as a plus. */
-function signed(x: number): string {
-  return x.toFixed(2).replace("-", "−");
-}
-
 /** How much is drawn, and how near one is. */
 export function Readout() {
   const [x, y] = here.value;
@@ -33,8 +29,8 @@ export function Readout() {
           {standIn.value
             ? `s ${scene.value.t.toFixed(2)}`
             : locusView.value.family === "morph"
-              ? `u ${signed(x)} v ${signed(y)}`
-              : `s ${signed(x)} ${y < 0 ? "−" : "+"} ${signed(Math.abs(y))} i`}
+              ? `u ${fixed(x)} v ${fixed(y)}`
+              : `s ${fixed(x)} ${y < 0 ? "−" : "+"} ${fixed(Math.abs(y))} i`}
         </span>
       )}
       {picture.value.points > 0 && (

@@ -95,7 +95,7 @@ export function Glance({ marks }: { marks: ReadonlySet<string> }) {
               <button type="button" onClick={() => goTo(id)}>
                 <span class={css["number"]}>{i + 1}</span>
                 <span class={css["title"]}>{title}</span>
-                <span class={css["facts"]}>
+                <span class={css["overview"]}>
                   {count === 0 ? (
                     `${figures.length} lessons, ${minutesOf(figures)} minutes`
                   ) : (

@@ -50,7 +50,7 @@ export function Line({ from, map, steps }: LineProps) {
           {way.map((place, i) => (
             <circle
               key={`${i + 1}`}
-              class={i === 0 ? css["start"] : css["step"]}
+              class={i === 0 ? css["origin"] : css["step"]}
               cx={left(place)}
               cy={GROUND}
               r={i === 0 ? 6 : 4}
