@@ -114,4 +114,4 @@ pub use sample::box_dimension::{BoxCount, box_dimension};
 pub use sample::chaos_game2::ChaosGame;
 pub use sample::chaos_game3::ChaosGame3;
 pub use sample::colouring::Colouring;
-pub use sort::sort_indices;
+pub use sort::{is_permutation, sort_indices};

@@ -14,7 +14,7 @@
 
 use std::fmt::Write as _;
 
-use frond_core::{Colouring, MAX_MAPS, Mode};
+use frond_core::{Colouring, MAX_MAPS, Mode, is_permutation};
 
 use crate::preset::{Row, preset};
 use crate::scene::{PathKind, Scene, Shape, Tool, Window};
@@ -220,9 +220,7 @@ fn read_morph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Scene, LinkE
         let letters: Option<Vec<usize>> =
             text.split(',').map(|part| part.parse::<usize>().ok()?.checked_sub(1)).collect();
         let letters = letters.ok_or_else(|| damaged("match", text))?;
-        let mut sorted = letters.clone();
-        sorted.sort_unstable();
-        if !sorted.into_iter().eq(0..maps) {
+        if !is_permutation(&letters, maps) {
             return Err(damaged("match", text));
         }
         scene.correspondence = letters;

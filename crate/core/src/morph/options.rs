@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::sort::is_permutation;
+
 /// How the linear parts are interpolated.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -33,12 +35,9 @@ impl MorphOptions {
         if from != to {
             return Err(MorphError::Counts { from, to });
         }
-        let identity: Vec<usize> = (0..from).collect();
         let order =
-            if self.correspondence.is_empty() { identity.clone() } else { self.correspondence.clone() };
-        let mut sorted = order.clone();
-        sorted.sort_unstable();
-        if sorted != identity {
+            if self.correspondence.is_empty() { (0..from).collect() } else { self.correspondence.clone() };
+        if !is_permutation(&order, from) {
             return Err(MorphError::Correspondence { maps: from });
         }
         let fits = |turns: &[i32]| turns.len() == from && turns.iter().all(|t| (-16..=16).contains(t));
