@@ -19,7 +19,7 @@ describe("the round", () => {
       false,
       false,
       null,
-      true,
+      false,
       false,
     ]);
     expect(play?.done?.(doing({ playing: true }), before)).toBe(true);

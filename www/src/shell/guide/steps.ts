@@ -34,14 +34,14 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "The map says why",
-    text: "Every point of this map is a shape between A and B. On the pale ground it is in one piece; the darker the ground, the farther apart its pieces. The straight way leads through the dark.",
+    text: "Every point of this map is a shape between A and B. On the pale ground it is in one piece; the darker the ground, the farther apart its pieces. A straight line from A to B leads through the dark.",
     target: ".locus-square",
   },
   {
     title: "Go round",
     text: "Choose Auto, and a way round the dark is found. Or drag the way by its points.",
     target: PATH_KINDS,
-    done: (now) => now.scene.path.kind !== "straight",
+    done: (now, before) => now.scene.path.kind !== "straight" && now.scene.path !== before.scene.path,
   },
   {
     title: "Ask why",

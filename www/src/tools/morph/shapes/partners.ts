@@ -25,4 +25,4 @@ export function partnersOf(id: string, rows: string = table): Map<string, Bond> 
 
 /** What is said of a shape that is chosen to come together with another. */
 export const bondWords = (bond: Bond, other: string): string =>
-  bond === "plain" ? `Holds with ${other}` : `Holds with ${other}, another way`;
+  bond === "plain" ? `Holds with ${other}` : `Holds with ${other} by another way, which is offered then`;
