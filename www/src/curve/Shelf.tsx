@@ -87,7 +87,7 @@ export function Shelf({ end, onChosen }: ShelfProps) {
         Outlines made of smaller copies of their own arcs. They stay closed and in one piece, whatever becomes
         of them.
         {!curved.peek() && end !== "bent" && (
-          <> They morph with outlines only, so that the other shape becomes one, too.</>
+          <> They morph with outlines only, so an outline takes the place of the other shape.</>
         )}
       </p>
       <ShapeGrid

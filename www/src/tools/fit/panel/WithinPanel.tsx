@@ -45,8 +45,9 @@ export function Within() {
         </span>
       </div>
       <p class="hint">
-        A curve of corners and parabolas, as near as so many bytes allow. The bytes are all of it: a link
-        holds them, and nothing else of the fit. It has no copies of its parts.
+        A curve of corners and parabolas, as near as so many bytes allow. The bytes are all of it: in a link
+        they are a third more letters, and a morph or a bend of it stands beside them. It has no copies of its
+        parts.
       </p>
     </div>
   );
