@@ -62,8 +62,8 @@ describe("a curve as a file", () => {
   it("is named by what it shows", () => {
     const both = { a: shape("Maple leaf"), b: shape("Ö? / oak!") };
     expect(nameOf(both, 0, "svg")).toBe("frond-maple-leaf.svg");
-    expect(nameOf(both, 0.5, "csv")).toBe("frond-maple-leaf-oak-0.50.csv");
-    expect(nameOf(both, 1, "png")).toBe("frond-oak.png");
+    expect(nameOf(both, 0.5, "csv")).toBe("frond-maple-leaf-ö-oak-0.50.csv");
+    expect(nameOf(both, 1, "png")).toBe("frond-ö-oak.png");
     expect(nameOf(null, 0, "json")).toBe("frond-curve.json");
   });
 });
