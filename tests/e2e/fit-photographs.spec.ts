@@ -1,6 +1,7 @@
 import { expectClean } from "./axe";
-import { apart, FitTool, file, inLeaf, PAPER, png, type Rgb } from "./fit-tool";
+import { apart, FitTool, file, inLeaf, PAPER } from "./fit-tool";
 import { expect, test } from "./fixture";
+import { png, type Rgb } from "./png";
 
 test.use({ alone: true });
 

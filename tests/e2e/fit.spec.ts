@@ -9,11 +9,11 @@ import {
   GREEN,
   leafPicture,
   noise,
-  png,
   stalkedPicture,
   twoLeaves,
 } from "./fit-tool";
 import { expect, test } from "./fixture";
+import { png } from "./png";
 
 const source = (page: Page) => page.getByTestId("source").locator("span");
 const card = (page: Page) => source(page).first();

@@ -30,6 +30,23 @@ const PART_MS = 100;
 /** Pieces of a picture of space between two breaths. */
 const PIECES = 200_000;
 
+/** A fit, in parts. It is given up with the task. */
+async function inParts<Made>(
+  { breathe, progress }: Hand,
+  fit: { step(ms: number): { share: number; done: boolean }; measured(): Made; free(): void },
+): Promise<Made> {
+  try {
+    for (;;) {
+      const { share, done } = fit.step(PART_MS);
+      if (done) return fit.measured();
+      progress(share);
+      await breathe();
+    }
+  } finally {
+    fit.free();
+  }
+}
+
 const tasks = {
   async call(
     { sources }: Hand,
@@ -64,35 +81,15 @@ const tasks = {
       search.free();
     }
   },
-  async fitCurve({ sources, breathe, progress }: Hand, args: unknown[]) {
-    const { CurveFit, fitCurve } = (await sources.fit()) as Fit;
+  async fitCurve(hand: Hand, args: unknown[]) {
+    const { CurveFit, fitCurve } = (await hand.sources.fit()) as Fit;
     const [outline, { model = "closed", numbers = 260 } = {}] = args as Parameters<Fit["fitCurve"]>;
     if (model !== "closed") return fitCurve(...(args as Parameters<Fit["fitCurve"]>));
-    const fit = new CurveFit(outline, numbers);
-    try {
-      for (;;) {
-        const { share, done } = fit.step(PART_MS);
-        if (done) return fit.measured();
-        progress(share);
-        await breathe();
-      }
-    } finally {
-      fit.free();
-    }
+    return inParts(hand, new CurveFit(outline, numbers));
   },
-  async fitWithin({ sources, breathe, progress }: Hand, args: unknown[]) {
-    const { SplineFit } = (await sources.fit()) as Fit;
-    const fit = new SplineFit(...(args as ConstructorParameters<Fit["SplineFit"]>));
-    try {
-      for (;;) {
-        const { share, done } = fit.step(PART_MS);
-        if (done) return fit.measured();
-        progress(share);
-        await breathe();
-      }
-    } finally {
-      fit.free();
-    }
+  async fitWithin(hand: Hand, args: unknown[]) {
+    const { SplineFit } = (await hand.sources.fit()) as Fit;
+    return inParts(hand, new SplineFit(...(args as ConstructorParameters<Fit["SplineFit"]>)));
   },
   /** A complete picture of space. */
   async rasterize3({ sources, breathe, transfer }: Hand, [picture]: [Picture3]) {
