@@ -106,8 +106,6 @@ struct Ask<'a> {
     bounds: bool,
     /// Ways to near points of a system much like this one, to begin with; then this one's are kept, too.
     start: Option<&'a Trails>,
-    /// Nothing but these ways.
-    trails_alone: bool,
 }
 
 impl Scratch {
@@ -123,13 +121,7 @@ impl Scratch {
         self.decide(maps, epsilon, budget, Ask { start: Some(start), ..Ask::default() }).sample
     }
 
-    /// The ways to near points that [`Scratch::decide_from`] finds.
-    pub(crate) fn find_trails(&mut self, maps: &[Affine2], epsilon: f64, start: &Trails) -> &Trails {
-        self.decide(maps, epsilon, 0, Ask { start: Some(start), trails_alone: true, ..Ask::default() });
-        &self.trails
-    }
-
-    /// Those of the system decided last, by [`Scratch::decide_from`].
+    /// The ways to near points of the system decided last, by [`Scratch::decide_from`].
     pub(crate) fn trails(&self) -> &Trails {
         &self.trails
     }
@@ -138,7 +130,7 @@ impl Scratch {
         if let Some(magnification) = Magnification::of(maps) {
             return magnification.bounded(self.decide(&magnification.magnify(maps), epsilon, budget, ask));
         }
-        let Ask { polygon, bounds, start, trails_alone } = ask;
+        let Ask { polygon, bounds, start } = ask;
         let Self { frame, support, greedy, words, differences, series, search, trails, .. } = self;
         trails.clear();
         search.forget_looks();
@@ -207,7 +199,7 @@ impl Scratch {
                 }
                 Some(found)
             });
-            if search.is_whole() && !bounds || trails_alone {
+            if search.is_whole() && !bounds {
                 return whole(State::Touching, f64::INFINITY, f64::NAN);
             }
             differences.bound(frame, support);
@@ -216,10 +208,20 @@ impl Scratch {
             let resolution = frame.resolution(epsilon, diameter);
             let size = 0.5 * support.diameter(DMat2::IDENTITY);
             let mut translates = Translates::new(frame, support, differences, resolution, size);
-            (search.bracket(&mut translates, resolution, budget), diameter)
+            let bracket = search.bracket(&mut translates, resolution, budget);
+            if start.is_some() {
+                for (i, j, parts) in search.meetings() {
+                    if !trails.has(i, j) {
+                        let way = parts.map(|(node, _)| differences.way(node));
+                        trails.push(i, j, &way.unwrap_or_default());
+                    }
+                }
+            }
+            (bracket, diameter)
         } else {
             let met = |i: usize, j: usize| (frame.maps[i] == frame.maps[j]).then_some(0.0);
-            if greedy.set(frame) {
+            let has_point = greedy.set(frame);
+            if has_point {
                 let near = epsilon * epsilon * greedy.extent(frame);
                 for (i, j, trail) in start.iter().flat_map(|start| start.iter()) {
                     search.join_near_pair(i, j, || {
@@ -230,6 +232,10 @@ impl Scratch {
                 }
                 search.join_near(|i, j| {
                     met(i, j).or_else(|| {
+                        // What was sought in vain next to it is left to the bracket.
+                        if start.is_some_and(|start| start.open && !start.has(i, j)) {
+                            return None;
+                        }
                         let found = greedy.meet(frame, i, j, near)?;
                         if start.is_some() {
                             trails.push(i, j, greedy.trail());
@@ -240,7 +246,7 @@ impl Scratch {
             } else {
                 search.join_near(met);
             }
-            if search.is_whole() && !bounds || trails_alone {
+            if search.is_whole() && !bounds {
                 return whole(State::Touching, f64::INFINITY, f64::NAN);
             }
             if frame.factor < FACTOR_FOR_ROUGH_TABLE {
@@ -252,7 +258,18 @@ impl Scratch {
             let resolution = frame.resolution(epsilon, diameter);
             let mut pairs = WordPairs::new(frame, support, words);
             pairs.begin(resolution, resolution);
-            (search.bracket(&mut pairs, resolution, budget), diameter)
+            let bracket = search.bracket(&mut pairs, resolution, budget);
+            trails.open = !search.is_whole();
+            if start.is_some() && has_point {
+                for (i, j, parts) in search.meetings() {
+                    if !trails.has(i, j) {
+                        let letters = parts.map(|(u, v)| [u, v].map(|part| words.letters(part)));
+                        let way = greedy.way(i, j, &letters.unwrap_or_default());
+                        trails.push(i, j, &way);
+                    }
+                }
+            }
+            (bracket, diameter)
         };
         let relative = |length: f64| length / diameter;
         let (lower, upper) = (

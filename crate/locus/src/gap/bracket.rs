@@ -100,6 +100,14 @@ impl CutSearch {
         self.descent.is_whole()
     }
 
+    /// The pairs of attractorlets that were found to meet, and the parts where they do, if it was found by these.
+    pub fn meetings(&self) -> impl Iterator<Item = (usize, usize, Option<(u32, u32)>)> {
+        self.descent.pairs().filter_map(|(i, j)| {
+            let edge = &self.descent.edges[self.descent.edge(i, j)];
+            (edge.known == Known::Meet).then_some((i, j, edge.parts))
+        })
+    }
+
     /// Bounds the widest gap until it is known whether it is one and how wide about, or `budget` looks are spent.
     /// The lower bound is 0 unless the attractor is proved to be in several pieces.
     ///

@@ -32,13 +32,24 @@ pub(crate) struct DifferenceSet {
     steps: Vec<DVec2x4>,
     /// How many there are.
     count: usize,
-    /// The points of the descent: where, and at which power.
-    nodes: Vec<(DVec2, u32)>,
+    /// The points of the descent.
+    nodes: Vec<Node>,
     shifts: Vec<DVec2>,
     sorted: Vec<DVec2>,
     passed: Vec<(DVec2, usize, usize)>,
     /// The steps to where the search is.
     trail: Vec<Step>,
+}
+
+/// A point of the descent.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    at: DVec2,
+    /// The power that the next step is taken by.
+    power: u32,
+    /// The point before it, itself if it is the first, and the step from there.
+    before: u32,
+    step: u16,
 }
 
 /// More than this many powers are not summed up exactly.
@@ -47,7 +58,9 @@ const MOST_TERMS: usize = 96;
 const LARGEST_REST: f64 = 0.004;
 /// How far from the middle of the differences to go on a greedy descent, against the disc they lie in, squared; how
 /// often back, and how many steps.
-const SQUARE_TO_ENTER: f64 = 0.5;
+const SQUARE_TO_ENTER: f64 = 0.7;
+/// The same for a step that led to near points of another system: these are known to have been there.
+const SQUARE_TO_FOLLOW: f64 = 1.0;
 const MOST_RETURNS: usize = 12;
 const MOST_STEPS: usize = 120;
 /// How many of its last steps are gone back where the way to near points of another system is followed, and how many
@@ -168,6 +181,19 @@ impl DifferenceSet {
         &self.trail
     }
 
+    /// The way to a point of the descent, for [`DifferenceSet::follow`].
+    pub fn way(&self, mut node: u32) -> Vec<Step> {
+        let mut way = Vec::new();
+        while let Some(&Node { before, step, .. }) = self.nodes.get(node as usize)
+            && before != node
+        {
+            way.push(Step { part: step, large: 0 });
+            node = before;
+        }
+        way.reverse();
+        way
+    }
+
     /// [`DifferenceSet::meet`], from near where the way to such points of a neighbouring system leads.
     pub fn follow(&mut self, frame: &Frame, i: usize, j: usize, reach: f64, trail: &[Step]) -> Option<f64> {
         let m = frame.maps[0].linear;
@@ -181,7 +207,7 @@ impl DifferenceSet {
                 break;
             }
             let k = self.trail.len() + 1;
-            let limit = self.limit(k, m, frame.factor);
+            let limit = SQUARE_TO_FOLLOW * self.square_of_rest(k, m, frame.factor);
             offset = self.step(offset, k, step.part.into());
             if offset.length_squared() >= limit {
                 break;
@@ -195,12 +221,12 @@ impl DifferenceSet {
         self.search(frame, offsets[start % (STEPS_BACK + 1)], reach, STEPS_FROM_TRAIL)
     }
 
-    /// How long, squared, a difference may be after step `k` for the search to go on from there.
+    /// How long, squared, the sum of all steps after step `k` may be.
     #[inline(always)]
-    fn limit(&mut self, k: usize, m: DMat2, factor: f64) -> f64 {
+    fn square_of_rest(&mut self, k: usize, m: DMat2, factor: f64) -> f64 {
         // The differences lie within twice the norm of the power.
-        let limit = 2.0 * self.size(k + 1, m, factor);
-        SQUARE_TO_ENTER * limit * limit
+        let rest = 2.0 * self.size(k + 1, m, factor);
+        rest * rest
     }
 
     /// Goes on from where the trail leads.
@@ -215,7 +241,7 @@ impl DifferenceSet {
                 return Some(squared);
             }
             let mut k = self.trail.len() + 1;
-            let limit = self.limit(k, m, frame.factor);
+            let limit = SQUARE_TO_ENTER * self.square_of_rest(k, m, frame.factor);
             let (best, second) = self.nearest_steps(k, offset);
             if second.0 < limit {
                 self.passed.push((offset, k, second.1));
@@ -313,17 +339,18 @@ impl Explore for Translates<'_> {
 
     fn root(&mut self, i: u8, j: u8) -> (u32, u32) {
         let DifferenceSet { nodes, shifts, .. } = &mut *self.differences;
-        nodes.push((shifts[usize::from(i)] - shifts[usize::from(j)], 1));
-        (nodes.len() as u32 - 1, 0)
+        let (at, before) = (shifts[usize::from(i)] - shifts[usize::from(j)], nodes.len() as u32);
+        nodes.push(Node { at, power: 1, before, step: 0 });
+        (before, 0)
     }
 
     fn is_small(&self, pair: &Pair) -> bool {
-        let (_, k) = self.differences.nodes[pair.u as usize];
-        self.differences.sizes[k as usize] <= self.small
+        let power = self.differences.nodes[pair.u as usize].power;
+        self.differences.sizes[power as usize] <= self.small
     }
 
     fn split(&mut self, pair: &Pair, mut see: impl FnMut(u32, u32, Sight<()>) -> ControlFlow<()>) {
-        let (offset, k) = self.differences.nodes[pair.u as usize];
+        let Node { at: offset, power: k, .. } = self.differences.nodes[pair.u as usize];
         self.differences.size(k as usize + 1, self.frame.maps[0].linear, self.frame.factor);
         let (power, next) = (self.differences.powers[k as usize], self.differences.powers[k as usize + 1]);
         for block in 0..self.differences.steps.len() {
@@ -331,7 +358,8 @@ impl Explore for Translates<'_> {
             let looks = self.metric.differences(self.support, next, offsets);
             for l in 0..4.min(self.differences.count - 4 * block) {
                 let node = self.differences.nodes.len() as u32;
-                self.differences.nodes.push((offsets.at(l), k + 1));
+                let (at, step) = (offsets.at(l), (4 * block + l) as u16);
+                self.differences.nodes.push(Node { at, power: k + 1, before: pair.u, step });
                 if see(node, 0, looks.sight(l)).is_break() {
                     return;
                 }

@@ -23,8 +23,10 @@ pub(crate) struct GreedySearch {
     sizes: Vec<f64>,
     /// A point of the attractor, in the frame.
     point: DVec2,
-    /// What was passed over, and how many steps led there.
-    passed: Vec<(TwoPieces, Step, usize)>,
+    /// What was passed over.
+    passed: Vec<Passed>,
+    /// The steps of a search, each with the number of the one before it.
+    chain: Vec<(Step, usize)>,
     /// The steps to where the search is.
     trail: Vec<Step>,
 }
@@ -49,16 +51,29 @@ struct TwoPieces {
     apart: DVec2,
 }
 
+/// A step that was not taken.
+#[derive(Clone, Copy, Debug)]
+struct Passed {
+    /// Where, and by which step it was reached.
+    pair: TwoPieces,
+    at: usize,
+    step: Step,
+    score: f32,
+}
+
+/// The step before the first.
+const NO_STEP: usize = usize::MAX;
+
 /// How far the middles of two pieces may be apart, against the radii of the discs they lie in, squared, to be looked
 /// into: mostly a piece does not fill its disc.
-const SQUARE_TO_ENTER: f32 = 0.4;
-/// The same for a step that led to near points of another system.
-const SQUARE_TO_FOLLOW: f64 = 0.5;
+const SQUARE_TO_ENTER: f32 = 0.7;
+/// The same for a step that led to near points of another system: these are known to have been there.
+const SQUARE_TO_FOLLOW: f64 = 1.0;
 /// So many of its last steps are gone back.
-const STEPS_BACK: usize = 3;
+const STEPS_BACK: usize = 4;
 /// Steps from the end of such a way.
 const STEPS_FROM_TRAIL: usize = 40;
-/// How often to go back.
+/// How often to go back, to what was most promising of all that was passed over.
 const MOST_RETURNS: usize = 16;
 /// Of so many maps at most words of two letters are looked at.
 const MOST_MAPS_TWICE: usize = 4;
@@ -144,6 +159,27 @@ impl GreedySearch {
         self.search(frame, pairs[start % (STEPS_BACK + 1)], reach, STEPS_FROM_TRAIL)
     }
 
+    /// The way into pieces of attractorlets `i` and `j` that these letters lead to, for [`GreedySearch::follow`]: always
+    /// into the larger one first, as far as the words that are looked at together go.
+    pub fn way(&self, i: usize, j: usize, letters: &[Vec<u8>; 2]) -> Vec<Step> {
+        let count = self.sizes.len();
+        let at_once = if self.words.len() > count { 2 } else { 1 };
+        let mut left = letters.each_ref().map(|letters| letters.chunks_exact(at_once));
+        let mut size = [self.sizes[i], self.sizes[j]];
+        let mut way = Vec::new();
+        loop {
+            let large = usize::from(size[0] < size[1]);
+            let next = left[large].next().map(|word| (large, word));
+            let Some((large, word)) = next.or_else(|| left[1 - large].next().map(|word| (1 - large, word)))
+            else {
+                return way;
+            };
+            let part = word.iter().fold(0, |part, &letter| part * count + usize::from(letter));
+            way.push(Step { part: part as u16, large: large as u8 });
+            size[large] *= self.words.get(part).map_or(1.0, |word| word.1);
+        }
+    }
+
     fn begin(&self, frame: &Frame, i: usize, j: usize) -> TwoPieces {
         let (a, b) = (frame.maps[i], frame.maps[j]);
         TwoPieces {
@@ -155,30 +191,40 @@ impl GreedySearch {
 
     fn search(&mut self, frame: &Frame, mut pair: TwoPieces, reach: f64, steps: usize) -> Option<f64> {
         self.passed.clear();
+        self.chain.clear();
+        let mut at = NO_STEP;
         let mut back = 0;
         for _ in 0..steps {
             let [p, q] = pair.linear;
             let squared = frame.square(pair.apart + (p - q) * self.point);
             if squared <= reach {
+                let length = self.trail.len();
+                while let Some(&(step, from)) = self.chain.get(at) {
+                    self.trail.push(step);
+                    at = from;
+                }
+                self.trail[length..].reverse();
                 return Some(squared);
             }
             let large = u8::from(pair.size[0] < pair.size[1]);
             let (best, second) = self.nearest_parts(&pair, usize::from(large));
             let step = |score: f32| Step { part: (score.to_bits() & NUMBER_BITS) as u16, large };
             if second < SQUARE_TO_ENTER {
-                self.passed.push((pair, step(second), self.trail.len()));
+                self.passed.push(Passed { pair, at, step: step(second), score: second });
             }
             let next = if best < SQUARE_TO_ENTER {
                 step(best)
             } else {
                 back += 1;
-                let (passed, next, length) = self.passed.pop().filter(|_| back <= MOST_RETURNS)?;
-                self.trail.truncate(length);
-                pair = passed;
-                next
+                let best = (0..self.passed.len())
+                    .min_by(|&a, &b| self.passed[a].score.total_cmp(&self.passed[b].score).then(b.cmp(&a)));
+                let passed = self.passed.swap_remove(best.filter(|_| back <= MOST_RETURNS)?);
+                (pair, at) = (passed.pair, passed.at);
+                passed.step
             };
             self.enter(&mut pair, next)?;
-            self.trail.push(next);
+            self.chain.push((next, at));
+            at = self.chain.len() - 1;
         }
         None
     }
@@ -280,6 +326,26 @@ mod tests {
             *piece = *piece * search.words[usize::from(part)].0;
         }
         maps[0].apply(search.point) - maps[1].apply(search.point)
+    }
+
+    #[test]
+    fn letters_lead_to_the_pieces_that_they_name() {
+        for count in [2, 3, 4, 5, 9] {
+            let (mut frame, mut search) = (Frame::default(), GreedySearch::default());
+            frame.set(&heap(count)).unwrap();
+            assert!(search.set(&frame));
+            for lengths in [[0, 0], [2, 4], [6, 0], [4, 4]] {
+                let word = |side: usize| (0..lengths[side]).map(|k| ((3 * k + side) % count) as u8).collect();
+                let letters: [Vec<u8>; 2] = [word(0), word(1)];
+                let way = search.way(0, 1, &letters);
+                let piece = |side: usize| {
+                    letters[side].iter().fold(frame.maps[side], |map, &k| map * frame.maps[usize::from(k)])
+                };
+                let exact = piece(0).apply(search.point) - piece(1).apply(search.point);
+                let found = between(&search, &frame, [0, 1], &way);
+                assert!(found.distance(exact) < 1e-12, "{count} maps, {lengths:?}: {found} {exact}");
+            }
+        }
     }
 
     #[test]

@@ -64,6 +64,8 @@ pub(crate) struct Edge<P> {
     pub reach: f64,
     /// These points.
     pub points: P,
+    /// The parts that these points were seen in, or those too small to be told apart, if it was not the whole.
+    pub parts: Option<(u32, u32)>,
     pub known: Known,
 }
 
@@ -113,7 +115,8 @@ impl<P: Copy + Default> PairDescent<P> {
         (self.count, self.turn, self.thorough) = (count, turn, thorough);
         self.met.reset(count);
         self.edges.clear();
-        let unknown = Edge { lower: 0.0, reach: f64::INFINITY, points: P::default(), known: Known::Open };
+        let unknown =
+            Edge { lower: 0.0, reach: f64::INFINITY, points: P::default(), parts: None, known: Known::Open };
         self.edges.resize(count * count, unknown);
         self.apart.clear();
         self.by_distance.clear();
@@ -180,7 +183,7 @@ impl<P: Copy + Default> PairDescent<P> {
                     }
                     self.nodes += 1;
                     self.edges[at].lower = sight.apart;
-                    self.edges[at].note(&sight);
+                    self.edges[at].note(&sight, None);
                     if self.edges[at].reach <= self.near {
                         self.join(i, j as usize);
                     } else {
@@ -213,6 +216,7 @@ impl<P: Copy + Default> PairDescent<P> {
         let mut known = Known::Apart;
         while let Some(pair) = self.open.pop() {
             if explore.is_small(&pair) {
+                self.edges[at].parts = Some((pair.u, pair.v));
                 known = Known::Meet;
                 break;
             }
@@ -243,7 +247,7 @@ impl<P: Copy + Default> PairDescent<P> {
         let before = self.open.len();
         explore.split(&pair, |u, v, sight| {
             self.nodes += 1;
-            self.edges[at].note(&sight);
+            self.edges[at].note(&sight, Some((u, v)));
             if self.edges[at].reach <= self.near && !self.thorough {
                 return ControlFlow::Break(());
             }
@@ -279,7 +283,7 @@ impl<P: Copy + Default> PairDescent<P> {
             let mut nearest = (f64::INFINITY, u, v);
             explore.split(&Pair { u, v, ..pair }, |u, v, sight| {
                 self.nodes += 1;
-                self.edges[at].note(&sight);
+                self.edges[at].note(&sight, Some((u, v)));
                 if sight.reach < nearest.0 {
                     nearest = (sight.reach, u, v);
                 }
@@ -292,9 +296,9 @@ impl<P: Copy + Default> PairDescent<P> {
 
 impl<P: Copy> Edge<P> {
     #[inline]
-    fn note(&mut self, sight: &Sight<P>) {
+    fn note(&mut self, sight: &Sight<P>, parts: Option<(u32, u32)>) {
         if sight.reach < self.reach {
-            (self.reach, self.points) = (sight.reach, sight.points);
+            (self.reach, self.points, self.parts) = (sight.reach, sight.points, parts);
         }
     }
 }

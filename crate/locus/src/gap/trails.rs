@@ -16,6 +16,8 @@ pub(crate) struct Step {
 pub(crate) struct Trails {
     /// The coordinates in which they were looked for, where these are not the plane's own.
     pub coordinates: Option<Contraction>,
+    /// Whether some pieces of that system were told apart, or not told: pairs without a way were looked at in vain.
+    pub open: bool,
     /// The pairs, and where the steps of each end.
     pairs: Vec<(u8, u8, usize)>,
     steps: Vec<Step>,
@@ -24,6 +26,7 @@ pub(crate) struct Trails {
 impl Trails {
     pub fn clear(&mut self) {
         self.coordinates = None;
+        self.open = false;
         self.pairs.clear();
         self.steps.clear();
     }
@@ -32,6 +35,11 @@ impl Trails {
     pub fn push(&mut self, i: usize, j: usize, steps: &[Step]) {
         self.steps.extend_from_slice(steps);
         self.pairs.push((i as u8, j as u8, self.steps.len()));
+    }
+
+    /// Whether there is a way for this pair.
+    pub fn has(&self, i: usize, j: usize) -> bool {
+        self.pairs.iter().any(|&(k, l, _)| (usize::from(k), usize::from(l)) == (i, j))
     }
 
     /// The pairs and their ways, in the order in which they came.

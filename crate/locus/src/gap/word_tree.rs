@@ -16,6 +16,8 @@ pub(crate) struct Piece {
     pub size: f64,
     /// The index of its first part, 0 while it is not split.
     pub parts: u32,
+    /// The piece that it is a part of: itself if it is an attractorlet.
+    parent: u32,
 }
 
 /// A tree of words: each piece knows where its parts are.
@@ -31,16 +33,16 @@ impl WordTree {
     pub fn begin(&mut self, frame: &Frame) {
         self.list.clear();
         self.from_round = frame.from_round;
-        for &map in &frame.maps {
-            self.add(map);
+        for (k, &map) in frame.maps.iter().enumerate() {
+            self.add(map, k as u32);
         }
     }
 
-    fn add(&mut self, map: Affine2) {
+    fn add(&mut self, map: Affine2, parent: u32) {
         let m = map.linear;
         let square = |side: DVec2| (self.from_round * side).length_squared();
         let size = 0.5 * (square(m.x_axis) + square(m.y_axis));
-        self.list.push(Piece { map, size, parts: 0 });
+        self.list.push(Piece { map, size, parts: 0, parent });
     }
 
     /// Piece `u`.
@@ -64,11 +66,26 @@ impl WordTree {
             self.list[large].parts = self.list.len() as u32;
             let whole = self.list[large].map;
             for &map in &frame.maps {
-                self.add(whole * map);
+                self.add(whole * map, large as u32);
             }
         }
         let parts = self.list[large].parts;
         (parts..parts + frame.maps.len() as u32, first)
+    }
+
+    /// The letters that lead from an attractorlet into a piece of it, the first one first.
+    pub fn letters(&self, mut piece: u32) -> Vec<u8> {
+        let mut letters = Vec::new();
+        loop {
+            let parent = self.get(piece).parent;
+            if parent == piece {
+                break;
+            }
+            letters.push((piece - self.get(parent).parts) as u8);
+            piece = parent;
+        }
+        letters.reverse();
+        letters
     }
 
     /// Whether the sum of the largest stretches of two pieces into the plane is `limit` or less. None is below 0.
