@@ -106,6 +106,8 @@ struct Ask<'a> {
     bounds: bool,
     /// Ways to near points of a system much like this one, to begin with; then this one's are kept, too.
     start: Option<&'a Trails>,
+    /// Nothing but these ways.
+    ways_alone: bool,
 }
 
 impl Scratch {
@@ -121,7 +123,19 @@ impl Scratch {
         self.decide(maps, epsilon, budget, Ask { start: Some(start), ..Ask::default() }).sample
     }
 
-    /// The ways to near points of the system decided last, by [`Scratch::decide_from`].
+    /// The ways to near points that [`Scratch::decide_from`] finds.
+    pub(crate) fn find_trails(
+        &mut self,
+        maps: &[Affine2],
+        epsilon: f64,
+        budget: usize,
+        start: &Trails,
+    ) -> &Trails {
+        self.decide(maps, epsilon, budget, Ask { start: Some(start), ways_alone: true, ..Ask::default() });
+        &self.trails
+    }
+
+    /// Those of the system decided last, by [`Scratch::decide_from`].
     pub(crate) fn trails(&self) -> &Trails {
         &self.trails
     }
@@ -130,7 +144,7 @@ impl Scratch {
         if let Some(magnification) = Magnification::of(maps) {
             return magnification.bounded(self.decide(&magnification.magnify(maps), epsilon, budget, ask));
         }
-        let Ask { polygon, bounds, start } = ask;
+        let Ask { polygon, bounds, start, ways_alone } = ask;
         let Self { frame, support, greedy, words, differences, series, search, trails, .. } = self;
         trails.clear();
         search.forget_looks();
@@ -208,9 +222,9 @@ impl Scratch {
             let resolution = frame.resolution(epsilon, diameter);
             let size = 0.5 * support.diameter(DMat2::IDENTITY);
             let mut translates = Translates::new(frame, support, differences, resolution, size);
-            let bracket = search.bracket(&mut translates, resolution, budget);
+            let bracket = search.bracket(&mut translates, resolution, budget, !ways_alone);
             if start.is_some() {
-                for (i, j, parts) in search.meetings() {
+                for &(i, j, parts) in search.meetings() {
                     if !trails.has(i, j) {
                         let way = parts.map(|(node, _)| differences.way(node));
                         trails.push(i, j, &way.unwrap_or_default());
@@ -258,10 +272,10 @@ impl Scratch {
             let resolution = frame.resolution(epsilon, diameter);
             let mut pairs = WordPairs::new(frame, support, words);
             pairs.begin(resolution, resolution);
-            let bracket = search.bracket(&mut pairs, resolution, budget);
+            let bracket = search.bracket(&mut pairs, resolution, budget, !ways_alone);
             trails.open = !search.is_whole();
             if start.is_some() && has_point {
-                for (i, j, parts) in search.meetings() {
+                for &(i, j, parts) in search.meetings() {
                     if !trails.has(i, j) {
                         let letters = parts.map(|(u, v)| [u, v].map(|part| words.letters(part)));
                         let way = greedy.way(i, j, &letters.unwrap_or_default());
@@ -271,6 +285,7 @@ impl Scratch {
             }
             (bracket, diameter)
         };
+        trails.undecided = !search.is_whole() && !search.is_apart();
         let relative = |length: f64| length / diameter;
         let (lower, upper) = (
             relative(bracket.lower) * (1.0 - LAST_ROUNDING),

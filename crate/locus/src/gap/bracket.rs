@@ -22,7 +22,14 @@ pub(crate) struct CutSearch {
     across: Vec<bool>,
     /// Pieces that meet, and those that were not told apart within the budget.
     coarse: Components,
+    /// The pairs that were found to meet until a cut was proved: see [`CutSearch::meetings`].
+    meetings: Vec<Meeting>,
+    /// Whether a cut was proved.
+    is_apart: bool,
 }
+
+/// Two attractorlets that were found to meet, and the parts where they do, if it was found by these.
+pub(crate) type Meeting = (usize, usize, Option<(u32, u32)>);
 
 /// The widest gap, in the plane.
 #[derive(Clone, Copy, Debug)]
@@ -100,23 +107,37 @@ impl CutSearch {
         self.descent.is_whole()
     }
 
-    /// The pairs of attractorlets that were found to meet, and the parts where they do, if it was found by these.
-    pub fn meetings(&self) -> impl Iterator<Item = (usize, usize, Option<(u32, u32)>)> {
-        self.descent.pairs().filter_map(|(i, j)| {
-            let edge = &self.descent.edges[self.descent.edge(i, j)];
+    /// The pairs of attractorlets that were found to meet before the first cut was proved, or by the end if none was:
+    /// so they are the same whether the gap was measured or not.
+    pub fn meetings(&self) -> &[Meeting] {
+        &self.meetings
+    }
+
+    /// Whether the attractor is proved to be in several pieces.
+    pub const fn is_apart(&self) -> bool {
+        self.is_apart
+    }
+
+    fn note_meetings(&mut self) {
+        let Self { descent, meetings, .. } = self;
+        meetings.clear();
+        meetings.extend(descent.pairs().filter_map(|(i, j)| {
+            let edge = &descent.edges[descent.edge(i, j)];
             (edge.known == Known::Meet).then_some((i, j, edge.parts))
-        })
+        }));
     }
 
     /// Bounds the widest gap until it is known whether it is one and how wide about, or `budget` looks are spent.
     /// The lower bound is 0 unless the attractor is proved to be in several pieces.
     ///
-    /// `resolution` is in the plane.
+    /// `resolution` is in the plane. Unless it is to `measure`, it ends where it is known whether the widest gap is one,
+    /// and there are no bounds.
     pub fn bracket(
         &mut self,
         explore: &mut impl Explore<Nearest = ()>,
         resolution: f64,
         budget: usize,
+        measure: bool,
     ) -> Bracket {
         self.descent.near = resolution * resolution;
         explore.choose_metric(false);
@@ -124,11 +145,19 @@ impl CutSearch {
         self.coarse.clone_from(&self.descent.met);
         let (mut spent, mut rounds) = (0, 0);
         let mut found = Bracket { lower: 0.0, upper: f64::INFINITY };
+        self.is_apart = false;
         while self.coarse.count() > 1 {
             let bridge = self.cut();
             if !self.prove(explore, budget) {
                 // The cut is none.
                 continue;
+            }
+            if rounds == 0 {
+                self.is_apart = true;
+                self.note_meetings();
+                if !measure {
+                    return found;
+                }
             }
             let before = self.descent.nodes;
             let lower = self.measure(explore, bridge, LOOKS_TO_MEASURE.saturating_sub(spent));
@@ -141,6 +170,9 @@ impl CutSearch {
                 return found;
             }
             rounds += 1;
+        }
+        if rounds == 0 {
+            self.note_meetings();
         }
         Bracket { lower: 0.0, upper: self.bottleneck() }
     }

@@ -159,8 +159,7 @@ impl BoxFill<'_> {
         } else {
             let start = starts.of((x, y), &mut |(x, y), start| {
                 family.fill(grid.u(x), grid.v(y), maps);
-                scratch.decide_from(maps, *epsilon, LocusGrid::budget(maps.len()), start);
-                scratch.trails().clone()
+                scratch.find_trails(maps, *epsilon, LocusGrid::budget(maps.len()), start).clone()
             });
             family.fill(grid.u(x), grid.v(y), maps);
             let sample = scratch.decide_from(maps, *epsilon, LocusGrid::budget(maps.len()), start);
