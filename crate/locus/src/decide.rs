@@ -246,10 +246,6 @@ impl Scratch {
                 }
                 search.join_near(|i, j| {
                     met(i, j).or_else(|| {
-                        // What was sought in vain next to it is left to the bracket.
-                        if start.is_some_and(|start| start.open && !start.has(i, j)) {
-                            return None;
-                        }
                         let found = greedy.meet(frame, i, j, near)?;
                         if start.is_some() {
                             trails.push(i, j, greedy.trail());
@@ -273,7 +269,6 @@ impl Scratch {
             let mut pairs = WordPairs::new(frame, support, words);
             pairs.begin(resolution, resolution);
             let bracket = search.bracket(&mut pairs, resolution, budget, !ways_alone);
-            trails.open = !search.is_whole();
             if start.is_some() && has_point {
                 for &(i, j, parts) in search.meetings() {
                     if !trails.has(i, j) {
@@ -285,7 +280,6 @@ impl Scratch {
             }
             (bracket, diameter)
         };
-        trails.undecided = !search.is_whole() && !search.is_apart();
         let relative = |length: f64| length / diameter;
         let (lower, upper) = (
             relative(bracket.lower) * (1.0 - LAST_ROUNDING),

@@ -24,8 +24,6 @@ pub(crate) struct CutSearch {
     coarse: Components,
     /// The pairs that were found to meet until a cut was proved: see [`CutSearch::meetings`].
     meetings: Vec<Meeting>,
-    /// Whether a cut was proved.
-    is_apart: bool,
 }
 
 /// Two attractorlets that were found to meet, and the parts where they do, if it was found by these.
@@ -113,11 +111,6 @@ impl CutSearch {
         &self.meetings
     }
 
-    /// Whether the attractor is proved to be in several pieces.
-    pub const fn is_apart(&self) -> bool {
-        self.is_apart
-    }
-
     fn note_meetings(&mut self) {
         let Self { descent, meetings, .. } = self;
         meetings.clear();
@@ -145,7 +138,6 @@ impl CutSearch {
         self.coarse.clone_from(&self.descent.met);
         let (mut spent, mut rounds) = (0, 0);
         let mut found = Bracket { lower: 0.0, upper: f64::INFINITY };
-        self.is_apart = false;
         while self.coarse.count() > 1 {
             let bridge = self.cut();
             if !self.prove(explore, budget) {
@@ -153,7 +145,6 @@ impl CutSearch {
                 continue;
             }
             if rounds == 0 {
-                self.is_apart = true;
                 self.note_meetings();
                 if !measure {
                     return found;

@@ -16,8 +16,6 @@ pub(crate) struct Step {
 pub(crate) struct Trails {
     /// The coordinates in which they were looked for, where these are not the plane's own.
     pub coordinates: Option<Contraction>,
-    /// Whether some pieces of that system were told apart, or not told: pairs without a way were looked at in vain.
-    pub open: bool,
     /// The pairs, and where the steps of each end.
     pairs: Vec<(u8, u8, usize)>,
     steps: Vec<Step>,
@@ -26,7 +24,6 @@ pub(crate) struct Trails {
 impl Trails {
     pub fn clear(&mut self) {
         self.coordinates = None;
-        self.open = false;
         self.pairs.clear();
         self.steps.clear();
     }
