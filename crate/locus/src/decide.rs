@@ -113,6 +113,9 @@ struct Ask<'a> {
 impl Scratch {
     /// [`decide`] for one of many systems that are much like each other. The answer depends on the arguments alone:
     /// another `start` may find near points where none were found, and no answer contradicts another.
+    ///
+    /// Of a gap that is not proved wider than epsilon either may be said, `Touching` or `Disconnected`, and which it is
+    /// hangs on what is met on the way: then it is what [`decide`] says.
     pub(crate) fn decide_from(
         &mut self,
         maps: &[Affine2],
@@ -120,7 +123,14 @@ impl Scratch {
         budget: usize,
         start: &Trails,
     ) -> Sample {
-        self.decide(maps, epsilon, budget, Ask { start: Some(start), ..Ask::default() }).sample
+        let found = self.decide(maps, epsilon, budget, Ask { start: Some(start), ..Ask::default() });
+        if found.sample.state != State::Disconnected || found.lower > epsilon {
+            return found.sample;
+        }
+        let trails = std::mem::take(&mut self.trails);
+        let alone = self.decide(maps, epsilon, budget, Ask::default()).sample;
+        self.trails = trails;
+        if alone.state == State::Undecided { found.sample } else { alone }
     }
 
     /// The ways to near points that [`Scratch::decide_from`] finds.
