@@ -123,8 +123,8 @@ impl CutSearch {
     /// Bounds the widest gap until it is known whether it is one and how wide about, or `budget` looks are spent.
     /// The lower bound is 0 unless the attractor is proved to be in several pieces.
     ///
-    /// `resolution` is in the plane. Unless it is to `measure`, it ends where it is known whether the widest gap is one,
-    /// and there are no bounds.
+    /// `resolution` is in the plane. Unless it is to `measure`, it ends where it is known whether the widest gap is
+    /// one, and there are no bounds.
     pub fn bracket(
         &mut self,
         explore: &mut impl Explore<Nearest = ()>,

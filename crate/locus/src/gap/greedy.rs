@@ -159,8 +159,8 @@ impl GreedySearch {
         self.search(frame, pairs[start % (STEPS_BACK + 1)], reach, STEPS_FROM_TRAIL)
     }
 
-    /// The way into pieces of attractorlets `i` and `j` that these letters lead to, for [`GreedySearch::follow`]: always
-    /// into the larger one first, as far as the words that are looked at together go.
+    /// The way into pieces of attractorlets `i` and `j` that these letters lead to, for [`GreedySearch::follow`]:
+    /// always into the larger one first, as far as the words that are looked at together go.
     pub fn way(&self, i: usize, j: usize, letters: &[Vec<u8>; 2]) -> Vec<Step> {
         let count = self.sizes.len();
         let at_once = if self.words.len() > count { 2 } else { 1 };
