@@ -4,7 +4,7 @@ use frond_core::{
     Affine2, DirectedIfs, DirectedMap, DirectedMorph, Ifs, Mode, directed_cut, directed_dimension,
 };
 use frond_locus::{
-    DirectedCertifyOptions, Options, StateConnectedness, StateOnTheWay, Verdict, certify_directed,
+    DirectedCertifyOptions, Gap, Options, StateConnectedness, StateOnTheWay, Verdict, certify_directed,
     connectedness, directed_connectedness,
 };
 use frond_scene::directed_presets;
@@ -280,7 +280,8 @@ fn a_way_by_eq_6_is_held_within_epsilon_or_said_to_break() {
         part.map = turn * part.map;
     }
     let morph = DirectedMorph::new(&quilt, &DirectedIfs::new(larger).unwrap(), Mode::Polar).unwrap();
-    let options = DirectedCertifyOptions { epsilon: 0.05, moments: 200, budget: 20_000 };
+    let options =
+        DirectedCertifyOptions { epsilon: 0.05, moments: 200, budget: 20_000, ..Default::default() };
     let proof = certify_directed(&morph, &options);
     assert_eq!(proof.states, [StateOnTheWay::Within(0.05); 2], "{}", proof.moments);
     // Pieces that go apart.
@@ -391,4 +392,44 @@ proptest! {
             }
         }
     }
+}
+
+/// A row of 40 copies of a row of 40 lines, which is parted in the middle by this much of its length.
+fn parted_rows(gap: f64) -> DirectedIfs {
+    let within = |from: usize, x0: f64, x1: f64| {
+        (0..20).map(move |k| {
+            let scale = (x1 - x0) / 20.0;
+            line(from, scale, x0 + scale * f64::from(k))
+        })
+    };
+    let half = 0.5 * (1.0 - gap);
+    let parted = within(2, 0.0, half).chain(within(2, 1.0 - half, 1.0)).collect();
+    let row = within(1, 0.0, 0.5).chain(within(1, 0.5, 1.0)).collect();
+    DirectedIfs::new(vec![row, parted, vec![line(2, 0.5, 0.0), line(2, 0.5, 0.5)]]).unwrap()
+}
+
+#[test]
+fn a_gap_within_pieces_is_found_where_there_are_too_many_to_split_all() {
+    use Verdict::{Connected, Disconnected};
+    // The second gap is finer than epsilon of the whole.
+    for gap in [0.2, 0.02] {
+        let found = directed_connectedness(&parted_rows(gap), &Options::default());
+        assert_eq!(verdicts(&found), [Disconnected, Disconnected, Connected]);
+        let Gap { lower, upper } = found[0].gap;
+        assert!(0.9 * gap / 40.0 < lower && upper < 1.1 * gap / 40.0, "{lower} {upper}");
+    }
+}
+
+#[test]
+fn the_search_for_a_proof_ends_where_the_shape_or_a_part_of_it_is_lost() {
+    let morph = |gap: f64| DirectedMorph::new(&parted_rows(gap), &parted_rows(0.21), Mode::Polar).unwrap();
+    let proof = certify_directed(&morph(0.2), &DirectedCertifyOptions::default());
+    assert_eq!(proof.moments, 1);
+    assert!(proof.states[..2].iter().all(|state| matches!(state, StateOnTheWay::Open(_))), "{proof:?}");
+    // And where all the work that was to be done is done.
+    let morph = DirectedMorph::new(&parted_rows(0.0), &parted_rows(0.001), Mode::Polar).unwrap();
+    let least = DirectedCertifyOptions { epsilon: 0.1, work: 1, ..Default::default() };
+    assert!(matches!(certify_directed(&morph, &least).states[0], StateOnTheWay::Open(_)));
+    let all = DirectedCertifyOptions { epsilon: 0.1, ..Default::default() };
+    assert_eq!(certify_directed(&morph, &all).states[0], StateOnTheWay::Within(0.1));
 }

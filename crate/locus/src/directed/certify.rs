@@ -43,11 +43,13 @@ pub struct DirectedCertifyOptions {
     pub moments: usize,
     /// The most pairs of pieces at each.
     pub budget: usize,
+    /// The most pairs of pieces in all.
+    pub work: usize,
 }
 
 impl Default for DirectedCertifyOptions {
     fn default() -> Self {
-        Self { epsilon: 1.0 / 200.0, moments: 400, budget: 100_000 }
+        Self { epsilon: 1.0 / 200.0, moments: 400, budget: 100_000, work: 1_000_000 }
     }
 }
 
@@ -95,7 +97,7 @@ pub fn certify_directed(morph: &DirectedMorph, options: &DirectedCertifyOptions)
         .collect();
     let mut moments = 0;
     if exact.iter().any(|exact| !exact) {
-        let open = walk(morph, options, &mut moments);
+        let open = walk(morph, &first, options, &mut moments);
         let held = closed(&first, &open.iter().map(Option::is_none).collect::<Vec<bool>>());
         let earliest = open.iter().flatten().copied().fold(1.0, f64::min);
         for (k, state) in states.iter_mut().enumerate() {
@@ -188,18 +190,25 @@ fn contract_between(first: &DirectedIfs, last: &DirectedIfs) -> bool {
 const LEAST_STEP: f64 = 1e-6;
 
 /// For each state the first moment from which no bound could be shown; `None` where there is one for all of the way.
-fn walk(morph: &DirectedMorph, options: &DirectedCertifyOptions, moments: &mut usize) -> Vec<Option<f64>> {
+/// `graph` says what states are made of.
+fn walk(
+    morph: &DirectedMorph,
+    graph: &DirectedIfs,
+    options: &DirectedCertifyOptions,
+    moments: &mut usize,
+) -> Vec<Option<f64>> {
     let count = morph.states().len();
     let mut open: Vec<Option<f64>> = vec![None; count];
     let mut from = 0.0_f64;
     let mut step = 1.0 / 16.0;
+    let mut work = 0_usize;
     // Finer than what is asked about, so that there is room to move.
     let look = Options { epsilon: 0.25 * options.epsilon, budget: options.budget };
     while from < 1.0 {
         let at = (from + step).min(1.0);
         let reach = 0.5 * (at - from);
         let middle = from + reach;
-        if *moments >= options.moments || step < LEAST_STEP {
+        if *moments >= options.moments || work >= options.work || step < LEAST_STEP {
             open.iter_mut().for_each(|open| *open = open.or(Some(from)));
             return open;
         }
@@ -211,6 +220,7 @@ fn walk(morph: &DirectedMorph, options: &DirectedCertifyOptions, moments: &mut u
         let turns: Vec<f64> = morph.turns().iter().map(|turn| turn.abs() * reach).collect();
         let moved = movement(&system, &[from, at].map(|t| morph.at(t, t)), &turns);
         let found = directed_connectedness(&system, &look);
+        work += found.iter().map(|state| state.nodes).sum::<usize>();
         let hold = found.iter().map(|state| state.verdict.holds()).collect::<Vec<bool>>();
         let fits = |state: usize| {
             let near = if found[state].verdict == Verdict::Connected { 0.0 } else { look.epsilon };
@@ -231,7 +241,9 @@ fn walk(morph: &DirectedMorph, options: &DirectedCertifyOptions, moments: &mut u
                 open[state] = Some(middle);
             }
         }
-        if open.iter().all(Option::is_some) {
+        let lasts: Vec<bool> = open.iter().map(Option::is_none).collect();
+        if closed(graph, &lasts).first() != Some(&true) {
+            open.iter_mut().for_each(|open| *open = open.or(Some(middle)));
             return open;
         }
         if (0..count).any(|state| open[state].is_none() && !fits(state)) {

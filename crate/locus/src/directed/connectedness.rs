@@ -69,7 +69,7 @@ pub struct StateConnectedness {
 ///    state.
 /// 4. `Undecided` is what is left: the budget was spent, or the pieces hold together while some of them are copies of
 ///    a state that does not (or is not known to). Such a state may be connected all the same. Pieces of that kind are
-///    split a few times over, which settles some.
+///    split a few times over, those first whose parts may be farthest apart, which settles some.
 ///
 /// A system of one state is decided as its [`Ifs`] is, by [`connectedness`].
 #[must_use]
@@ -114,7 +114,8 @@ pub fn directed_connectedness(system: &DirectedIfs, options: &Options) -> Vec<St
                 open_by = system.states()[state].iter().map(|part| part.from).filter(|&k| !held[k]).collect();
                 open_by.sort_unstable();
                 open_by.dedup();
-                let (deeper, spent) = deeper(system, &extents, state, &held, epsilon, options.budget);
+                let gaps: Vec<f64> = looks.iter().map(|look| look.widest.lower).collect();
+                let (deeper, spent) = deeper(system, &extents, state, &held, &gaps, epsilon, options.budget);
                 nodes += spent;
                 if let Some((found, split)) = deeper {
                     (verdict, open_by) = (found, Vec::new());
@@ -197,34 +198,34 @@ fn resolution(extent: &Extent, epsilon: f64) -> f64 {
 /// Pieces that a state is split into at most, and how often.
 const MOST_PIECES: usize = 128;
 const MOST_SPLITS: usize = 5;
+/// A gap is looked for down to this part of the widest that the pieces that were split may leave.
+const LEAST_OF_PROMISED: f64 = 0.25;
 
 /// What splitting the pieces that are copies of states not known to hold says, where it says something; and the pairs
-/// looked at.
+/// looked at. `gaps` are lower bounds of the gaps of states, in the plane.
 fn deeper(
     system: &DirectedIfs,
     extents: &[Extent],
     state: usize,
     held: &[bool],
+    gaps: &[f64],
     epsilon: f64,
     budget: usize,
 ) -> (Option<(Verdict, Edge)>, usize) {
     let mut pieces = vec![Piece { map: Affine2::IDENTITY, from: state }];
     let mut nodes = 0;
     for _ in 0..MOST_SPLITS {
-        let split = |piece: &Piece| -> Vec<Piece> {
-            if held[piece.from] {
-                return vec![*piece];
-            }
-            let parts = system.states()[piece.from].iter();
-            parts.map(|part| Piece { map: piece.map * part.map, from: part.from }).collect()
-        };
-        pieces = pieces.iter().flat_map(split).collect();
-        if pieces.len() > MOST_PIECES || nodes >= budget {
+        let widest_split = split(system, &mut pieces, held, gaps);
+        if widest_split.is_none() || nodes >= budget {
             break;
         }
         let mut nearest = Nearest::begin(system, extents, state, &pieces);
         let resolution = resolution(&extents[state], epsilon);
-        let widest = nearest.bracket(resolution, BRACKET_WIDTH, budget.saturating_sub(nodes));
+        // What is in pieces itself leaves a gap that may be finer than epsilon of the whole.
+        let promised =
+            widest_split.filter(|gap| *gap > 0.0).map_or(resolution, |gap| LEAST_OF_PROMISED * gap);
+        let finest = resolution.min(promised);
+        let widest = nearest.bracket(finest, BRACKET_WIDTH, budget.saturating_sub(nodes));
         nodes += nearest.nodes();
         if widest.lower > 0.0 {
             return (Some((Verdict::Disconnected, widest)), nodes);
@@ -234,6 +235,28 @@ fn deeper(
         }
     }
     (None, nodes)
+}
+
+/// Splits pieces that are copies of states not known to hold, as long as there are not too many: first those whose
+/// parts may be farthest apart. Returns the widest gap that may be left in one of them; `None` where none was split.
+fn split(system: &DirectedIfs, pieces: &mut Vec<Piece>, held: &[bool], gaps: &[f64]) -> Option<f64> {
+    let promise = |piece: &Piece| piece.map.norm() * gaps[piece.from];
+    let (mut whole, mut open): (Vec<Piece>, Vec<Piece>) = pieces.iter().partition(|piece| held[piece.from]);
+    open.sort_by(|a, b| promise(b).total_cmp(&promise(a)));
+    let mut count = pieces.len();
+    let mut widest = None;
+    for piece in open {
+        let parts = &system.states()[piece.from];
+        if count + parts.len() - 1 > MOST_PIECES {
+            whole.push(piece);
+            continue;
+        }
+        count += parts.len() - 1;
+        widest = Some(promise(&piece).max(widest.unwrap_or(0.0)));
+        whole.extend(parts.iter().map(|part| Piece { map: piece.map * part.map, from: part.from }));
+    }
+    *pieces = whole;
+    widest
 }
 
 /// A system of one state, by what is known of plain ones.
