@@ -1,6 +1,6 @@
 import { playing } from "#document/playback";
-import { verdictLine, verdictPhrase, verdictWords } from "#format/verdict";
-import { answerNow, isStale, toldNow, toldStates } from "#stage/directed/known";
+import { lineOf, verdictPhrase, verdictWords } from "#format/verdict";
+import { answerNow, isStale, toldNow, toldStates, wordsNow } from "#stage/directed/known";
 import { useSaidAtRest } from "#stage/evidence/aloud";
 import { VerdictChip } from "#stage/evidence/Chip";
 import { EvidencePanel } from "#stage/evidence/Panel";
@@ -15,11 +15,10 @@ const CHIP_ID = "directed-chip";
 /** What holds for the graph-directed shape on the stage, in words; pressed, it tells what holds for each state. */
 export function DirectedChip() {
   useSaidAtRest(() => ({
-    text: toldNow.value ? verdictLine(toldNow.value) : "",
+    text: toldNow.value ? lineOf(wordsNow.value) : "",
     moving: playing.value || isStale.value,
   }));
-  const words = verdictWords(toldNow.value);
-  return <VerdictChip id={CHIP_ID} panel={PANEL_ID} stale={isStale.value} words={words} />;
+  return <VerdictChip id={CHIP_ID} panel={PANEL_ID} stale={isStale.value} words={wordsNow.value} />;
 }
 
 /** As many states are listed. */

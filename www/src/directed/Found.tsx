@@ -1,5 +1,5 @@
-import { resolutionWords } from "#format/verdict";
 import type { DirectedCertificate, DirectedMatch, StateConnectedness } from "#wasm/api";
+import { wayWords } from "./words";
 
 /** What is known of the shape that is drawn. */
 export function Answer({ of: state }: { of: StateConnectedness | undefined }) {
@@ -29,36 +29,32 @@ export function Answer({ of: state }: { of: StateConnectedness | undefined }) {
     return (
       <p>
         Its own pieces hold together, but some are copies of state {names}, which may not: so it stays open.
+        What is in pieces itself can still be held together by what lies beside it.
       </p>
     );
   }
   return null;
 }
 
-/** What is proved of all of the way. */
-export function Way({ proof, match }: { proof: DirectedCertificate | null; match: DirectedMatch | null }) {
+interface WayProps {
+  proof: DirectedCertificate | null;
+  match: DirectedMatch | null;
+  /** The first moment that is known to be in pieces. */
+  apart?: number | null;
+  /** No proof is looked for any more. */
+  ended?: boolean;
+}
+
+/** What is known of all of the way. */
+export function Way({ match, proof, apart = null, ended = false }: WayProps) {
   return (
     <>
       {match?.steps.map((step) => (
         <p key={step}>{step}</p>
       ))}
-      {match && <p role="status">{wayWords(proof)}</p>}
+      {match && <p role="status">{wayWords({ proof, apart, ended })}</p>}
     </>
   );
-}
-
-function wayWords(proof: DirectedCertificate | null): string {
-  const first = proof?.states[0];
-  if (!proof || !first) return "Looking for a proof about every moment of the way …";
-  const assuming = proof.assuming.length > 0 ? `, if ${proof.assuming[0]} and so on` : "";
-  switch (first.kind) {
-    case "connected":
-      return `The shape is in one piece at every moment of the way, proved${assuming}: its pieces share points that never part.`;
-    case "within":
-      return `At every moment of the way its pieces, and theirs, are held together by gaps of at most ${resolutionWords(first.gap)} of their size. This was found at ${proof.moments} moments, with bounds of what changes between them.`;
-    default:
-      return `That it stays in one piece is shown up to t = ${first.at.toFixed(2)}, and not there.`;
-  }
 }
 
 /** States that the shape is not made of. */

@@ -2,11 +2,11 @@ import { computed } from "@preact/signals";
 import { useState } from "preact/hooks";
 import { directedAtBoth, type End, sameDirected, setStates, swapDirected } from "#document/directed/changes";
 import { directedShapes } from "#document/directed/directed";
-import { asClosedCurves } from "#document/directed/outlines";
+import { asClosedCurves, plantInstead, plantMayHelp } from "#document/directed/outlines";
 import { announce, notify } from "#document/notice";
 import { edit, endGesture, scene } from "#document/scene";
 import { BackToSystems } from "#stage/curve/BackToSystems";
-import { directedProblem, wayFacts } from "#stage/directed/known";
+import { apartAt, directedProblem, type WayFacts, wayFacts } from "#stage/directed/known";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Menu } from "#ui/overlay/Menu";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
@@ -140,6 +140,16 @@ const outlines = computed(() => {
   return now?.a.outline !== undefined && now.b.outline !== undefined;
 });
 
+const helped = computed(() => {
+  const now = directedShapes.value;
+  return now !== null && plantMayHelp(now) !== null;
+});
+
+/** Whether it falls apart on the way, or nothing is proved of it in the time that there is. */
+function doubtful({ proof, ended }: Pick<WayFacts, "proof" | "ended">, apart: number | null): boolean {
+  return apart !== null || ended || proof?.states[0]?.kind === "open";
+}
+
 /** How the graphs are matched, and what is shown of every moment between them. */
 function OnTheWay() {
   const facts = wayFacts.value;
@@ -162,7 +172,13 @@ function OnTheWay() {
       )}
       {!same.value && facts?.match && (
         <div class={css["way"]}>
-          <Way proof={facts.proof} match={facts.match} />
+          <Way proof={facts.proof} match={facts.match} apart={apartAt.value} ended={facts.ended} />
+          {helped.value && doubtful(facts, apartAt.value) && (
+            <div class="row">
+              <p>The fern “Frond” stays in one piece all the way, proved.</p>
+              <Button onClick={() => void plantInstead()}>Take “Frond”</Button>
+            </div>
+          )}
           {facts.linear && (
             <div class="row">
               <p>Number by number it stays in one piece all the way, proved.</p>

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
-import type { DirectedIfs } from "#wasm/api";
-import { sizeWords, stateWords } from "./words";
+import type { DirectedCertificate, DirectedIfs } from "#wasm/api";
+import { sizeWords, stateWords, wayWords } from "./words";
 
 it("tells how much a shape is made of", () => {
   const map = { from: 0, map: [0.5, 0, 0, 0.5, 0, 0] } as DirectedIfs["states"][0][0];
@@ -10,4 +10,23 @@ it("tells how much a shape is made of", () => {
     "1 state",
     "2 states",
   ]);
+});
+
+it("says of a way what is known by now, and that the search has ended", () => {
+  const proof = (state: DirectedCertificate["states"][0]): DirectedCertificate => ({
+    states: [state],
+    assuming: [],
+    moments: 3,
+  });
+  const open = proof({ kind: "open", at: 0.03 });
+  const say = (proof: DirectedCertificate | null, apart: number | null = null, ended = proof !== null) =>
+    wayWords({ proof, apart, ended });
+  expect(say(null)).toMatch(/^Looking for a proof/);
+  expect(say(null, null, true)).toMatch(/^No proof/);
+  // A moment in pieces is told at once, whatever is still looked for.
+  for (const now of [say(null, 0.5), say(open, 0.5)]) expect(now).toMatch(/at 50% it is in pieces, proved/);
+  expect(say(open)).toMatch(/lost at 3%/);
+  expect(say(proof({ kind: "connected" }))).toMatch(/in one piece at every moment of the way, proved:/);
+  // Gaps that are finer than what was asked about do not make it false.
+  expect(say(proof({ kind: "within", gap: 0.01 }), 0.5)).toMatch(/gaps of at most 1\/100/);
 });

@@ -114,13 +114,20 @@ export const shareOf = ({ gap, diameter }: Told): number => gap.upper / diameter
 
 /** The same as one line. */
 export function verdictLine(answer: Told | null, epsilon = RESOLUTION): string {
-  const { text, aside } = verdictWords(answer, epsilon);
-  return aside === "" ? text : `${text}, ${aside}`;
+  return lineOf(verdictWords(answer, epsilon));
 }
 
 /** The same within a sentence: "in pieces, proved, gap 3.1%". */
 export function verdictPhrase(answer: Told | null, epsilon = RESOLUTION): string {
-  const line = verdictLine(answer, epsilon);
+  return phraseOf(verdictWords(answer, epsilon));
+}
+
+/** Words as one line. */
+export const lineOf = ({ text, aside }: VerdictWords): string => (aside === "" ? text : `${text}, ${aside}`);
+
+/** The same within a sentence. */
+export function phraseOf(words: VerdictWords): string {
+  const line = lineOf(words);
   return line.charAt(0).toLowerCase() + line.slice(1);
 }
 

@@ -39,19 +39,55 @@ export async function chooseOutline(end: End, shape: CurveShape): Promise<boolea
   });
 }
 
-/** A fern becomes this outline, from the beginning: one undo step, and the morph is opened. */
-export async function fernBecomes(shape: CurveShape): Promise<boolean> {
+/**
+ * A shape that is there already and an outline, edge by edge: one undo step, and the morph is opened at the end that
+ * is not the outline's.
+ */
+export async function withOutline(end: End, shape: CurveShape, kept: DirectedShape): Promise<boolean> {
+  return told(shape, async () => {
+    await loadDirected();
+    morphTo(end, outlineBeside(kept, shape), kept);
+  });
+}
+
+/** A fern becomes this outline, or this outline a fern, from the beginning: one undo step, and the morph is opened. */
+export async function fernBecomes(shape: CurveShape, end: End = "b"): Promise<boolean> {
   return told(shape, async () => {
     await loadDirected();
     const plant = directed.directedPresets().find(({ id }) => id === PLANT);
     if (!plant) throw new Error("there is no fern");
     const { id: preset, name, system } = plant;
-    const outline = outlineBeside(system, shape);
-    edit((before) => {
-      const { locus: _locus, view: _view, ...rest } = withDirected(before, "b", outline);
-      return { ...rest, directed: { a: { preset, name, ...system }, b: outline }, mode: "linear", t: 0 };
-    });
-    openTool("morph");
+    morphTo(end, outlineBeside(system, shape), { preset, name, ...system });
+  });
+}
+
+function morphTo(end: End, outline: DirectedShape, kept: DirectedShape): void {
+  const other = end === "a" ? "b" : "a";
+  edit((before) => {
+    const { locus: _locus, view: _view, curves: _curves, ...rest } = before;
+    const ends = { a: outline, b: outline, [other]: kept };
+    return { ...rest, directed: ends, mode: "linear", t: end === "b" ? 0 : 1 };
+  });
+  openTool("morph");
+}
+
+/** Of a shape and an outline that may fall apart on their way, the end of the outline; null for all else. */
+export function plantMayHelp({ a, b }: { a: DirectedShape; b: DirectedShape }): End | null {
+  if ((a.outline === undefined) === (b.outline === undefined)) return null;
+  const [end, other]: [End, DirectedShape] = a.outline === undefined ? ["b", a] : ["a", b];
+  return other.preset === PLANT ? null : end;
+}
+
+/** The plant that becomes any outline in one piece, in place of what stands beside an outline: one undo step. */
+export async function plantInstead(): Promise<void> {
+  const now = scene.peek().directed;
+  const end = now && plantMayHelp(now);
+  const shape = end ? now[end] : null;
+  const { name, outline } = shape ?? {};
+  if (!end || name === undefined || outline === undefined) return;
+  await told({ name }, async () => {
+    await loadCurves();
+    await fernBecomes({ name, curve: rough.unpackCurve(outline) }, end);
   });
 }
 

@@ -1,9 +1,10 @@
 /** What is known of the graph-directed shape at the present moment, a little behind it, and of the way. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import { standInFilm } from "#compute/results";
 import { directedMoment, directedWay } from "#document/directed/directed";
 import { wordsOf } from "#document/notice";
 import { CURVES, standInWords } from "#document/stand-in";
-import { RESOLUTION, type Told, verdictPhrase } from "#format/verdict";
+import { phraseOf, RESOLUTION, type Told, type VerdictWords, verdictWords } from "#format/verdict";
 import type { DirectedCertificate, DirectedMatch } from "#wasm/api";
 import { toError } from "#wasm/error";
 import { directedTask } from "#workers/directed/client";
@@ -35,7 +36,8 @@ export const isStale: ReadonlySignal<boolean> = computed(
 
 const NONE: Told = { verdict: "no-attractor", gap: { lower: 0, upper: 0 }, diameter: 0 };
 
-interface WayFacts {
+/** What is known of a whole way. */
+export interface WayFacts {
   way: Way;
   match: DirectedMatch | null;
   /** Why the graphs cannot be matched. */
@@ -43,6 +45,8 @@ interface WayFacts {
   proof: DirectedCertificate | null;
   /** Whether the linear way, where this is another one, is proved to stay in one piece. */
   linear: boolean;
+  /** The search for a proof has ended without one, since there is a limit to it. */
+  ended: boolean;
 }
 
 const found = signal<WayFacts | null>(null);
@@ -65,8 +69,29 @@ export const toldNow: ReadonlySignal<Told | null> = computed(() =>
   known.value?.none ? NONE : (toldStates.value[0] ?? null),
 );
 
+/** The same in words: also that a part of it is in pieces, where the whole cannot be told. */
+export const wordsNow: ReadonlySignal<VerdictWords> = computed(() => {
+  const words = verdictWords(toldNow.value);
+  return toldNow.value?.verdict === "undecided" && partApart.value
+    ? { ...words, aside: "a part of it is in pieces, proved" }
+    : words;
+});
+
+/** Whether something that the shape is made of is in pieces: the rest may hold it together all the same. */
+const partApart = computed(() => {
+  const unreached = known.value?.answer?.facts.unreached ?? [];
+  return toldStates.value.some(({ verdict }, k) => verdict === "disconnected" && !unreached.includes(k));
+});
+
+/** The first moment of the film at which the shape is proved to be in pieces; null where there is none. */
+export const apartAt: ReadonlySignal<number | null> = computed(
+  () => standInFilm.value.find(({ verdict }) => verdict?.verdict === "disconnected")?.t ?? null,
+);
+
 /** The widest gap that the proof of a whole way asks about. */
 const PROOF_EPSILON = 1 / 100;
+/** It is not looked for any longer than this. */
+const PROOF_MS = 30_000;
 const REST_MS = 400;
 
 /** Keeps all this up to date. Returns the end of it. */
@@ -104,7 +129,7 @@ export function watchKnown(): () => void {
       };
     }),
     effect(() => {
-      standInWords.value = verdictPhrase(toldNow.value);
+      standInWords.value = phraseOf(wordsNow.value);
     }),
   ];
   return () => {
@@ -122,19 +147,37 @@ async function look(way: Way, signal: AbortSignal): Promise<void> {
   try {
     const match = await directedTask("match", { from: way.from, to: way.to }, at);
     if (signal.aborted) return;
-    const facts = { way, match, problem: null, linear: false };
-    found.value = { ...facts, proof: null };
-    const proof = await directedTask("certify", { ...way, epsilon: PROOF_EPSILON }, at);
+    const facts = { way, match, problem: null, proof: null, linear: false, ended: false };
+    found.value = facts;
+    const proof = await proofOf(way, signal);
     if (signal.aborted) return;
-    found.value = { ...facts, proof };
+    found.value = { ...facts, proof, ended: proof === null };
     // Ends that meet stay together on straight lines: where a turn parts them, that may be better.
-    if (way.mode === "linear" || proof.states[0]?.kind === "connected") return;
-    const straight = await directedTask("certify", { ...way, mode: "linear", epsilon: PROOF_EPSILON }, at);
-    const linear = straight.states[0]?.kind === "connected" && straight.assuming.length === 0;
-    if (!signal.aborted) found.value = { ...facts, proof, linear };
+    if (way.mode === "linear" || proof?.states[0]?.kind === "connected") return;
+    const straight = await proofOf({ ...way, mode: "linear" }, signal);
+    const linear = straight?.states[0]?.kind === "connected" && straight.assuming.length === 0;
+    if (!signal.aborted) found.value = { ...facts, proof, linear, ended: proof === null };
   } catch (problem) {
     if (!isStopped(problem) && !signal.aborted) {
-      found.value = { way, match: null, problem: wordsOf(problem), proof: null, linear: false };
+      const none = { match: null, proof: null, linear: false, ended: true };
+      found.value = { way, problem: wordsOf(problem), ...none };
     }
+  }
+}
+
+/** What is proved of all of a way; null where that takes too long. */
+async function proofOf(way: Way, signal: AbortSignal): Promise<DirectedCertificate | null> {
+  const own = new AbortController();
+  const end = () => own.abort();
+  const timer = setTimeout(end, PROOF_MS);
+  signal.addEventListener("abort", end);
+  try {
+    return await directedTask("certify", { ...way, epsilon: PROOF_EPSILON }, { lane: 2, signal: own.signal });
+  } catch (problem) {
+    if (isStopped(problem) && !signal.aborted) return null;
+    throw problem;
+  } finally {
+    clearTimeout(timer);
+    signal.removeEventListener("abort", end);
   }
 }
