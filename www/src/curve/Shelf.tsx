@@ -74,7 +74,7 @@ export function Shelf({ end, onChosen }: ShelfProps) {
     const before = scene.peek();
     if (end === "bent") bendCurve(shape);
     else chooseCurve(end, shape);
-    tellReplaced(before, end === "b" ? "b" : "a");
+    tellReplaced(before, end);
     announce(
       end === "bent" ? `${name}, with the grid around it.` : `Shape ${end.toUpperCase()} is now ${name}.`,
     );

@@ -1,11 +1,18 @@
 /** What the page has to say, on screen and to screen readers. */
 import { type ReadonlySignal, signal } from "@preact/signals";
 
+interface Action {
+  label: string;
+  run: () => void;
+}
+
 interface Notice {
   id: number;
   kind: "info" | "error";
   text: string;
-  action?: { label: string; run: () => void };
+  action?: Action;
+  /** Another one, shown before it. */
+  instead?: Action;
   /** It tells of work that goes on, and stays until the work has ended: `dismiss` it then. */
   stays?: boolean;
 }

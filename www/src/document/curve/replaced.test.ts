@@ -23,6 +23,24 @@ test("the end that was not chosen is named where it had to give way, and comes b
   expect(scene.peek()).toEqual(BLANK);
 });
 
+test("a shape that gave way to an outline is offered edge by edge with it", () => {
+  const long = shape("leaf_acer_saccharinum_864");
+  edit((before) => withCurve(before, "b", long, oak));
+  tellReplaced(BLANK, "b");
+  expect(notices.peek()[0]?.instead?.label).toBe("Gasket to leaf_acer_sacchar…");
+  start(BLANK);
+  edit((before) => withCurve(before, "a", mine, oak));
+  tellReplaced(BLANK, "a");
+  expect(notices.peek()[1]?.instead?.label).toBe("My leaf to Mirrored gasket");
+});
+
+test("of what is bent it is said what was there, and no word of the other end", () => {
+  edit((before) => withCurve(before, "a", mine, oak));
+  tellReplaced(BLANK, "bent");
+  const [notice] = notices.peek();
+  expect([notice?.text, notice?.instead]).toEqual(["Gasket was put away for My leaf.", undefined]);
+});
+
 test("so is an outline that gives way to a system", () => {
   start(withCurve(BLANK, "b", mine, oak));
   const before = scene.peek();

@@ -4,7 +4,7 @@ import { cutOut } from "#document/curve/cut-out";
 import { holdPhotograph, takenCurve } from "#document/curve/photographs";
 import { tellReplaced } from "#document/curve/replaced";
 import { bendPicture } from "#document/deform/bend-picture";
-import { fernBecomes } from "#document/directed/outlines";
+import { fernBecomes, withOutline } from "#document/directed/outlines";
 import { fitDocument, useCurve as takeCurve, type Use } from "#document/fit";
 import type { KeptPhotograph } from "#document/kept/fits";
 import { notify, wordsOf } from "#document/notice";
@@ -120,8 +120,14 @@ function takeShape(shape: CurveShape, to: Use, grown: string | undefined = shape
     const partner = presets.find((preset) => preset.id === wanted) ?? presets[0];
     if (!partner) throw new Error("there is no other shape");
     const before = scene.peek();
+    const beside = to === "bent" ? undefined : before.directed?.[to === "a" ? "b" : "a"];
+    // A plant that becomes outlines already becomes this one.
+    if (to !== "bent" && beside && beside.outline === undefined) {
+      void withOutline(to, taken, beside);
+      return;
+    }
     takeCurve(taken, partner, to);
-    tellReplaced(before, to === "b" ? "b" : "a");
+    tellReplaced(before, to);
   } catch (problem) {
     notTaken(problem);
   }

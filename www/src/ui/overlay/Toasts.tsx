@@ -1,11 +1,18 @@
 import "./overlay.css";
 import { Button, IconButton } from "../controls/Button";
 
+interface Action {
+  label: string;
+  run: () => void;
+}
+
 interface Toast {
   id: number;
   kind: "info" | "error";
   text: string;
-  action?: { label: string; run: () => void };
+  action?: Action;
+  /** Another one, shown before it. */
+  instead?: Action;
 }
 
 interface ToastsProps {
@@ -20,16 +27,20 @@ export function Toasts({ toasts, onDismiss }: ToastsProps) {
       {toasts.map((toast) => (
         <div key={toast.id} class={`toast ${toast.kind}`} role={toast.kind === "error" ? "alert" : "status"}>
           <p>{toast.text}</p>
-          {toast.action !== undefined && (
-            <Button
-              kind="quiet"
-              onClick={() => {
-                toast.action?.run();
-                onDismiss(toast.id);
-              }}
-            >
-              {toast.action.label}
-            </Button>
+          {[toast.instead, toast.action].map(
+            (action) =>
+              action && (
+                <Button
+                  key={action.label}
+                  kind="quiet"
+                  onClick={() => {
+                    action.run();
+                    onDismiss(toast.id);
+                  }}
+                >
+                  {action.label}
+                </Button>
+              ),
           )}
           <IconButton icon="close" label="Dismiss" kind="quiet" onClick={() => onDismiss(toast.id)} />
         </div>

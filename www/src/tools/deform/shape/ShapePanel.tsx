@@ -161,7 +161,7 @@ export function Gallery() {
       onChoose={(shape) => {
         const before = scene.peek();
         edit((now) => choose(now, shape, boxAround(shape.maps)));
-        tellReplaced(before, "a");
+        tellReplaced(before, "bent");
         announce(`${shape.name}, with the grid around it.`);
       }}
       onClose={() => {
