@@ -48,6 +48,20 @@ pub enum FunctionError {
         /// Its factor: |c|, or the norm of the matrix.
         factor: f64,
     },
+    /// A 2 x 2 factor that lengthens some direction of the plane.
+    #[error(
+        "The factor of piece {} makes the direction ({:.2}, {:.2}) {factor:.3} times as long. It must shorten every \
+         direction: make its numbers smaller.",
+        .piece + 1, .direction[0], .direction[1]
+    )]
+    Lengthens {
+        /// Index of the piece.
+        piece: usize,
+        /// The norm of its factor.
+        factor: f64,
+        /// The unit vector that it makes longest.
+        direction: [f64; 2],
+    },
     /// The domain of a piece is not longer than the piece itself, or not inside the curve.
     #[error("Piece {} copies a part that is not longer than itself, or not inside the curve. Choose a longer part.", .piece + 1)]
     BadDomain {
@@ -78,7 +92,7 @@ impl FunctionError {
             Self::NotFinite { .. } => "not-finite",
             Self::NotIncreasing { .. } => "not-increasing",
             Self::WrongCount { .. } => "wrong-count",
-            Self::NotContractive { .. } => "not-contractive",
+            Self::NotContractive { .. } | Self::Lengthens { .. } => "not-contractive",
             Self::BadDomain { .. } => "bad-domain",
             Self::NotJoined { .. } => "not-joined",
             Self::Unsettled => "unsettled",

@@ -209,3 +209,48 @@ fn a_partitioned_function_is_sampled_where_domains_cut_pieces() {
     }
     let _: &[Piece] = function.curve().pieces();
 }
+
+#[test]
+fn a_polyline_takes_as_many_points_wherever_the_curve_lies() {
+    let t = [0.0, 0.5, 1.0];
+    let factors = [DMat2::from_angle(0.8) * 0.6, DMat2::from_angle(-0.8) * 0.6];
+    let count = |at: DVec2| {
+        let knots = [DVec2::ZERO, DVec2::new(0.5, 0.4), DVec2::X].map(|p| p + at);
+        let curve = FractalCurve::fif(&t, &knots, &factors, &[false, true]).unwrap();
+        let line = curve.polyline(0.01, 1 << 16).unwrap();
+        let (middle, reach) = curve.disc();
+        let off = line.iter().map(|p| p.1.distance(middle)).fold(0.0, f64::max);
+        assert!(off <= reach, "{off}");
+        line.len()
+    };
+    assert_eq!(count(DVec2::ZERO), count(DVec2::new(4096.0, -512.0)));
+}
+
+#[test]
+fn a_factor_that_lengthens_is_refused_with_the_direction() {
+    let knots = [DVec2::ZERO, DVec2::ONE, DVec2::X];
+    let all = DMat2::from_cols(DVec2::splat(0.7), DVec2::splat(0.7));
+    let error =
+        FractalCurve::rfif(&[0.0, 0.5, 1.0], &knots, &[DMat2::ZERO, all], &[(0, 2), (2, 0)]).unwrap_err();
+    assert_eq!(error.code(), "not-contractive");
+    assert!(error.to_string().contains("piece 2 makes the direction (0.71, 0.71) 1.400 times"), "{error}");
+}
+
+#[test]
+fn in_a_window_nothing_that_is_there_is_left_out() {
+    let knots = [DVec2::ZERO, DVec2::new(0.5, 0.45), DVec2::X];
+    let factors =
+        [DMat2::from_cols(DVec2::new(0.5, 0.45), DVec2::new(0.45, -0.5)), DMat2::from_angle(0.8) * 0.6];
+    let curve = FractalCurve::fif(&[0.0, 0.5, 1.0], &knots, &factors, &[false, true]).unwrap();
+    let window = [DVec2::new(0.3, 0.1), DVec2::new(0.5, 0.3)];
+    let inside = |p: &DVec2| p.cmpge(window[0]).all() && p.cmple(window[1]).all();
+    let whole = curve.polyline(2e-3, 1 << 20).unwrap();
+    let part = curve.polyline_in(Some(window), 2e-3, 1 << 20).unwrap();
+    let wanted: Vec<_> = whole.iter().filter(|point| inside(&point.1)).collect();
+    let got: Vec<_> = part.iter().filter(|point| inside(&point.1)).collect();
+    assert!(wanted.len() > 100);
+    assert_eq!(wanted, got);
+    assert!(part.len() < whole.len() / 2, "{} of {}", part.len(), whole.len());
+    assert!(part.iter().any(|point| point.1.is_nan()));
+    assert!(part.windows(2).all(|pair| pair[0].0 < pair[1].0));
+}

@@ -27,6 +27,8 @@ pub enum FitMode {
     Outline,
     /// The graph of a function.
     Graph,
+    /// A curve of the plane.
+    Plane,
 }
 
 /// What an outline is fitted by.
@@ -110,6 +112,18 @@ impl SplineShape {
     }
 }
 
+/// The longest word of a curve of the plane: 256 pieces of numbers with all their digits.
+const MOST_PLANE: usize = 40_000;
+
+/// Whether a word may be a curve of the plane: t, x, y of each point, and of each piece the rows of its factor and from
+/// which point to which it copies (from 0, backwards where the first is the larger), `0,0,0;..:0.5,0,0,0.5,0,2;..`
+/// (Cochran, Hart & Flynn, eq 9).
+#[must_use]
+pub fn is_plane_word(word: &str) -> bool {
+    let fair = |letter: u8| letter.is_ascii_digit() || b",;:.-e".contains(&letter);
+    (1..=MOST_PLANE).contains(&word.len()) && word.bytes().all(fair)
+}
+
 const fn usual_bytes() -> u32 {
     USUAL_BYTES
 }
@@ -143,6 +157,9 @@ pub struct Fit {
     /// The last graph.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub graph: Option<Graph>,
+    /// The last curve of the plane, in numbers: see [`is_plane_word`]. Whether it is one is left to those who draw it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plane: Option<String>,
 }
 
 impl Default for Fit {
@@ -156,6 +173,7 @@ impl Default for Fit {
             curve: None,
             spline: None,
             graph: None,
+            plane: None,
         }
     }
 }

@@ -27,7 +27,7 @@ pub use deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
 pub use directed::{Directed, DirectedCopy, DirectedPreset, DirectedShape, OutlineError, directed_presets};
 pub use fit::{
     BYTES, Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS, SplineShape,
-    USUAL_BYTES,
+    USUAL_BYTES, is_plane_word,
 };
 pub use link::{LinkError, MAX_LINK, VERSION, decode, decode_morph, encode};
 pub use preset::{Preset, Row, preset, presets};

@@ -456,7 +456,7 @@ export interface PlaneGraph {
 
 /** What a document says of fitting. The outline, or the photograph it was taken from, is not part of it. */
 export interface Fit {
-  mode: "outline" | "graph";
+  mode: "outline" | "graph" | "plane";
   /** Frond's closed curve, the fit of Cochran, Hart & Flynn, or corners and parabolas within so many bytes. */
   model: "closed" | "collage" | "spline";
   /** How many numbers the closed curve may spend: 12 to 2000. */
@@ -470,6 +470,11 @@ export interface Fit {
   /** The last fit by corners and parabolas. */
   spline?: SplineShape;
   graph?: Graph;
+  /**
+   * The last curve of the plane, in numbers: t, x, y of each point; of each piece cx, cxy, cyx, cy of its factor, and
+   * from which point to which it copies, from 0, backwards where the first is the larger: "0,0,0;..:0.5,0,0,0.5,0,2;..".
+   */
+  plane?: string;
 }
 
 /** A curve of corners and parabolas: `unpackSpline` reads its word, which is its bytes in letters. */

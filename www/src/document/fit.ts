@@ -1,6 +1,6 @@
 /** What the document says of fitting, and how that is changed. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { CurvePreset, CurveShape, Fit, Scene } from "#wasm/api";
+import type { CurvePreset, CurveShape, Fit, Scene, Shape } from "#wasm/api";
 import { edit, replace, scene } from "./scene";
 import { openTool } from "./tool";
 
@@ -39,6 +39,16 @@ function withFit(now: Scene, change: (fit: Fit) => Fit): Scene {
 
 /** Where a fit goes: an end of the morph, or under the grid. */
 export type Use = "a" | "b" | "bent";
+
+/** Takes a system of maps into the morph or under the grid: one undo step, then the tool. Outlines give way to it. */
+export function takeMaps(shape: Shape, to: Use): void {
+  const end = to === "b" ? "b" : "a";
+  edit((now) => {
+    const { locus: _locus, view: _view, directed: _directed, curves: _curves, ...rest } = now;
+    return { ...rest, [end]: shape, correspondence: [], turns: [], t: end === "a" ? 0 : 1 };
+  });
+  openTool(to === "bent" ? "deform" : "morph");
+}
 
 /**
  * Takes a curve into the morph or under the grid: one undo step, then the tool, at the moment that shows the curve. The

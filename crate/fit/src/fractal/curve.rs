@@ -8,6 +8,9 @@ use crate::fractal::piece::Piece;
 /// The most letters of an address that an evaluation follows. With a factor of 0.999 the value is then right to 1e-43.
 const MAX_DEPTH: usize = 100_000;
 
+/// How often the middle of the curve is taken anew. Any point serves as one, a better one for a smaller disc.
+const MIDDLE_ROUNDS: usize = 32;
+
 /// What may be taken for a knot, in parts of a piece.
 const NEAR_KNOT: f64 = 1e-9;
 
@@ -137,7 +140,7 @@ impl FractalCurve {
             let ends = [knots[i], knots[i + 1]];
             Ok(Piece::through(intervals, from > to, factors[i], ends, [knots[low], knots[high]]))
         };
-        Self::new((0..pieces).map(piece).collect::<Result<_, _>>()?)
+        Self::of_plane((0..pieces).map(piece).collect::<Result<_, _>>()?)
     }
 
     /// A partitioned fractal curve from maps `[a, bx, by, cx, cxy, cyx, cy, d, ex, ey]` (eq 9) and their domains, in
@@ -152,6 +155,16 @@ impl FractalCurve {
             return Err(FunctionError::NotFinite { index });
         }
         pieces.sort_by(|a, b| a.range[0].total_cmp(&b.range[0]));
+        Self::of_plane(pieces)
+    }
+
+    /// The same as [`new`](Self::new), and says of a factor that lengthens which direction it does.
+    fn of_plane(pieces: Vec<Piece>) -> Result<Self, FunctionError> {
+        let long = pieces.iter().position(|piece| piece.is_finite() && piece.gain() >= 1.0);
+        if let Some(piece) = long {
+            let (factor, direction) = (pieces[piece].gain(), pieces[piece].longest().to_array());
+            return Err(FunctionError::Lengthens { piece, factor, direction });
+        }
         Self::new(pieces)
     }
 
@@ -171,6 +184,23 @@ impl FractalCurve {
     #[must_use]
     pub fn bound(&self) -> f64 {
         self.bound
+    }
+
+    /// The middle and the radius of a disc that holds the curve. Unlike the bound the radius does not hang on where
+    /// the curve lies.
+    #[must_use]
+    pub fn disc(&self) -> (DVec2, f64) {
+        let image = |piece: &Piece, t: f64, at: DVec2| piece.shear * t + piece.factor * at + piece.offset;
+        let mut middle = DVec2::ZERO;
+        for _ in 0..MIDDLE_ROUNDS {
+            let of = |piece: &Piece| image(piece, f64::midpoint(piece.domain[0], piece.domain[1]), middle);
+            middle = self.pieces.iter().map(of).sum::<DVec2>() / self.pieces.len() as f64;
+        }
+        // Every piece takes the disc into itself.
+        let off = |piece: &Piece| {
+            piece.domain.map(|t| image(piece, t, middle).distance(middle)).into_iter().fold(0.0, f64::max)
+        };
+        (middle, self.pieces.iter().map(off).fold(0.0, f64::max) / (1.0 - self.gain))
     }
 
     /// The contractivity under the metric of eq 2: max((1 + A) / 2, C), A the largest |a| and C the largest norm of a

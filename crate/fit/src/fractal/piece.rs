@@ -116,6 +116,17 @@ impl Piece {
         spectral_norm(self.factor)
     }
 
+    /// The unit vector whose image is longest, its first number not negative.
+    #[must_use]
+    pub fn longest(&self) -> DVec2 {
+        let DMat2 { x_axis: x, y_axis: y } = self.factor;
+        // What turns with the vector, and what turns against it, point one way.
+        let turn = f64::atan2(x.y - y.x, x.x + y.y);
+        let mirror = f64::atan2(x.y + y.x, x.x - y.y);
+        let along = DVec2::from_angle(0.5 * (mirror - turn));
+        if along.x < 0.0 { -along } else { along }
+    }
+
     pub(crate) fn is_finite(&self) -> bool {
         let numbers = [self.range, self.domain].into_iter().flatten();
         let values = [self.shear, self.offset, self.factor.x_axis, self.factor.y_axis];
@@ -145,6 +156,19 @@ mod tests {
             (DMat2::from_cols(DVec2::new(0.0, 0.0), DVec2::new(2.0, 0.0)), 2.0),
         ] {
             assert!((spectral_norm(m) - norm).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn no_vector_has_a_longer_image_than_the_longest() {
+        for (a, b, c, d) in
+            [(0.7, 0.7, 0.7, 0.7), (0.3, -0.9, 0.2, 0.1), (-0.5, 0.0, 0.0, 0.8), (0.1, 1.0, -1.0, 0.2)]
+        {
+            let factor = DMat2::from_cols(DVec2::new(a, c), DVec2::new(b, d));
+            let piece = Piece { factor, ..Piece::from_map([0.5, 0.0, 0.0, 0.0, 0.0], [0.0, 1.0]) };
+            let longest = piece.longest();
+            assert!((longest.length() - 1.0).abs() < 1e-12);
+            assert!(((factor * longest).length() - piece.gain()).abs() < 1e-12, "{factor}");
         }
     }
 

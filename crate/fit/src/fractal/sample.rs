@@ -5,6 +5,9 @@ use glam::{DMat2, DVec2};
 use crate::error::FunctionError;
 use crate::fractal::curve::{FractalCurve, Side};
 
+/// How far a point may be from the curve, in parts of the tolerance.
+const TRUE: f64 = 1e-7;
+
 /// A piece of a piece: where it comes from and what is done to it.
 #[derive(Clone, Copy)]
 struct Part {
@@ -25,6 +28,20 @@ impl FractalCurve {
     /// # Errors
     /// [`FunctionError::TooManyPoints`] where that takes more than `most` points.
     pub fn polyline(&self, tolerance: f64, most: usize) -> Result<Vec<(f64, DVec2)>, FunctionError> {
+        self.polyline_in(None, tolerance, most)
+    }
+
+    /// The same of what may be seen in a window, between two of its opposite corners, the lower first. In place of what
+    /// cannot be there stands one point of NaN.
+    ///
+    /// # Errors
+    /// As [`polyline`](Self::polyline).
+    pub fn polyline_in(
+        &self,
+        window: Option<[DVec2; 2]>,
+        tolerance: f64,
+        most: usize,
+    ) -> Result<Vec<(f64, DVec2)>, FunctionError> {
         let whole = Part {
             source: self.interval(),
             scale: 1.0,
@@ -35,15 +52,30 @@ impl FractalCurve {
         };
         // NaN asks for the finest, and finds that there are too many.
         let tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
-        let mut points = Vec::new();
+        let (middle, reach) = self.disc();
+        let mut points: Vec<(f64, DVec2)> = Vec::new();
         let mut stack = vec![whole];
         while let Some(part) = stack.pop() {
             let [low, high] = part.source;
-            let reach = part.shear.length() * (high - low);
-            let spread = reach + 2.0 * crate::fractal::piece::spectral_norm(part.factor) * self.bound();
+            let along = part.shear * (high - low);
+            let gain = crate::fractal::piece::spectral_norm(part.factor);
+            let spread = along.length() + 2.0 * gain * reach;
+            if let Some([lower, upper]) = window {
+                let at = part.offset + part.shear * f64::midpoint(low, high) + part.factor * middle;
+                // Rounding is a part of what the disc is.
+                let margin = 0.5 * spread * (1.0 + 1e-9) + tolerance;
+                if (at + margin).cmplt(lower).any() || (at - margin).cmpgt(upper).any() {
+                    if points.last().is_none_or(|point| !point.1.is_nan()) {
+                        let t = if part.scale > 0.0 { low } else { high };
+                        points.push((part.scale * t + part.shift, DVec2::NAN));
+                    }
+                    continue;
+                }
+            }
             if spread <= tolerance || high <= low {
                 let (t, side) = if part.scale > 0.0 { (low, Side::Right) } else { (high, Side::Left) };
-                let value = part.offset + part.shear * t + part.factor * self.limit(t, side, 0.0);
+                let value =
+                    part.offset + part.shear * t + part.factor * self.limit(t, side, TRUE * tolerance / gain);
                 points.push((part.scale * t + part.shift, value));
                 continue;
             }

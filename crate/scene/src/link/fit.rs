@@ -4,14 +4,15 @@
 //! curve-a=maple&curve-b=curve:AaBb..&curve-b-name=My%20leaf
 //! fit=outline:closed,260,0&fitted=curve:AaBb..&graph=fif:0.5,0.7,0.3,0,0,0,1;..
 //! fit=outline:spline,260,0&bytes=50&spline=AaBb..&spline-name=My%20leaf
+//! fit=plane:closed,260,0&plane=0,0,0;..:0.5,0,0,0.5,0,2;..
 //! curve-a=fitted&curve-b=curve-a&fitted=curve:AaBb..
 //! ```
 //!
 //! The word of a curve is [`ClosedCurve::to_text`], that of a spline
 //! [`Spline::to_text`](frond_fit::Spline::to_text); a piece of a graph is a, b, c, d, e and its domain. A curve that
 //! was taken from the fit of the same link, or is that of the other end, is not written twice: `fitted` and `curve-a`
-//! stand for it. Whether the word of a spline is one is left to those who draw it: what that takes is no part of the
-//! module for the first picture.
+//! stand for it. Whether the words of a spline and of a curve of the plane are some is left to those who draw them: what
+//! that takes is no part of the module for the first picture.
 
 use std::fmt::Write as _;
 
@@ -24,10 +25,11 @@ use super::words::{
 use crate::curve::{Curve, CurveShape, Curves};
 use crate::fit::{
     BYTES, Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS, SplineShape,
-    USUAL_BYTES,
+    USUAL_BYTES, is_plane_word,
 };
 
-const MODES: [(&str, FitMode); 2] = [("outline", FitMode::Outline), ("graph", FitMode::Graph)];
+const MODES: [(&str, FitMode); 3] =
+    [("outline", FitMode::Outline), ("graph", FitMode::Graph), ("plane", FitMode::Plane)];
 const MODELS: [(&str, FitModel); 3] =
     [("closed", FitModel::Closed), ("collage", FitModel::Collage), ("spline", FitModel::Spline)];
 const KINDS: [(&str, GraphKind); 3] =
@@ -38,6 +40,7 @@ const A: Keys = ["curve-a", "curve-a-name", "The first curve"];
 const B: Keys = ["curve-b", "curve-b-name", "The second curve"];
 const FITTED: Keys = ["fitted", "fitted-name", "The fitted curve"];
 const SPLINE: &str = "spline";
+const PLANE: &str = "plane";
 const SPLINE_NAME: &str = "spline-name";
 
 /// What a value cannot be, and why: the full stop comes after it.
@@ -168,17 +171,27 @@ pub(super) fn write_fit(link: &mut String, fit: &Fit) -> Result<(), LinkError> {
         let pieces: Vec<String> = graph.pieces.iter().map(piece).collect();
         let _ = write!(link, "&graph={}:{}", name_of(&KINDS, &graph.kind), pieces.join(";"));
     }
+    if let Some(word) = &fit.plane {
+        if !is_plane_word(word) {
+            return Err(damaged(PLANE, word));
+        }
+        let _ = write!(link, "&{PLANE}={word}");
+    }
     Ok(())
 }
 
 pub(super) fn read_fit<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Fit>, LinkError> {
-    let (curve, graph) = (read_curve(get, FITTED, NONE)?, read_graph(get)?);
+    let (curve, graph, plane) = (read_curve(get, FITTED, NONE)?, read_graph(get)?, read_plane(get)?);
     let (bytes, spline) = (read_bytes(get)?, read_spline(get)?);
     let Some(text) = get("fit") else {
-        let mode = if graph.is_some() { FitMode::Graph } else { FitMode::Outline };
-        let found = curve.is_some() || spline.is_some() || graph.is_some();
+        let mode = match (&graph, &plane) {
+            (Some(_), _) => FitMode::Graph,
+            (None, Some(_)) => FitMode::Plane,
+            (None, None) => FitMode::Outline,
+        };
+        let found = curve.is_some() || spline.is_some() || graph.is_some() || plane.is_some();
         let model = if curve.is_none() && spline.is_some() { FitModel::Spline } else { FitModel::Closed };
-        return Ok(found.then(|| Fit { mode, model, bytes, curve, spline, graph, ..Fit::default() }));
+        return Ok(found.then(|| Fit { mode, model, bytes, curve, spline, graph, plane, ..Fit::default() }));
     };
     let bad = || damaged("fit", text);
     let (mode, rest) = text.split_once(':').ok_or_else(bad)?;
@@ -190,7 +203,7 @@ pub(super) fn read_fit<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Opt
     }
     let mode = choice("fit", Some(mode), &MODES)?;
     let model = choice("fit", Some(model), &MODELS)?;
-    Ok(Some(Fit { mode, model, numbers, bytes, smoothing, curve, spline, graph }))
+    Ok(Some(Fit { mode, model, numbers, bytes, smoothing, curve, spline, graph, plane }))
 }
 
 fn read_bytes<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<u32, LinkError> {
@@ -217,4 +230,9 @@ fn read_graph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Graph
         Ok(_) => Ok(Some(graph)),
         Err(error) => Err(LinkError::Value { key: "graph", value: as_a("drawn", &error) }),
     }
+}
+
+fn read_plane<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<String>, LinkError> {
+    let Some(word) = get(PLANE) else { return Ok(None) };
+    if is_plane_word(word) { Ok(Some(word.to_owned())) } else { Err(damaged(PLANE, word)) }
 }

@@ -108,6 +108,10 @@ fn any_graph() -> impl Strategy<Value = Graph> {
         })
 }
 
+fn any_plane() -> impl Strategy<Value = String> {
+    "[0-9.,;:e-]{1,200}"
+}
+
 fn any_spline() -> impl Strategy<Value = SplineShape> {
     let node = (-300..300_i32, -300..300_i32, any::<bool>());
     (proptest::collection::vec(node, 3..40), "\\PC{0,30}", -6..6_i32).prop_map(|(list, name, size)| {
@@ -121,13 +125,14 @@ fn any_spline() -> impl Strategy<Value = SplineShape> {
 }
 
 fn any_fit() -> impl Strategy<Value = Fit> {
-    let modes = proptest::sample::select(vec![FitMode::Outline, FitMode::Graph]);
+    let modes = proptest::sample::select(vec![FitMode::Outline, FitMode::Graph, FitMode::Plane]);
     let models = proptest::sample::select(vec![FitModel::Closed, FitModel::Collage, FitModel::Spline]);
     let spline = (proptest::option::of(any_spline()), prop_oneof![Just(150), 32..=4000_u32]);
     let curve = proptest::option::of(any_curve());
     let graph = proptest::option::of(any_graph());
-    (modes, models, 12..=2000_u32, 0.0..=1.0_f64, curve, graph, spline).prop_map(
-        |(mode, model, numbers, smoothing, curve, graph, (spline, bytes))| Fit {
+    let plane = proptest::option::of(any_plane());
+    (modes, models, 12..=2000_u32, 0.0..=1.0_f64, curve, (graph, plane), spline).prop_map(
+        |(mode, model, numbers, smoothing, curve, (graph, plane), (spline, bytes))| Fit {
             mode,
             model,
             numbers,
@@ -136,6 +141,7 @@ fn any_fit() -> impl Strategy<Value = Fit> {
             curve,
             spline,
             graph,
+            plane,
         },
     )
 }
@@ -519,7 +525,8 @@ fn fits_that_cannot_be_are_said_to_be_damaged() {
         "curve-a=curve-a&curve-b=maple",
         "curve-a=maple&curve-b=fitted",
     ];
-    for words in [curve].iter().chain(&graphs).chain(&fits) {
+    let planes = ["plane=", "plane=0,0,0;1,1,x", "plane=0,0,0%3B1"];
+    for words in [curve].iter().chain(&graphs).chain(&fits).chain(&planes) {
         let (scene, problem) = decode(&format!("v=1&{words}"));
         assert!(problem.is_some(), "{words}");
         assert_eq!(scene, Scene::default());

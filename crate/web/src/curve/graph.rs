@@ -71,6 +71,19 @@ fn write_graph(kind: Kind, function: &FractalFunction) -> Result<JsValue, JsValu
     write(&PlainGraph { kind, pieces: function.curve().pieces().iter().map(plain).collect() })
 }
 
+/// From which point to which each piece copies, the other way round where `reflected`.
+pub(super) fn whole_spans(spans: Vec<[f64; 2]>, reflected: &[bool]) -> Result<Vec<(usize, usize)>, JsValue> {
+    let mut whole = Vec::with_capacity(spans.len());
+    for (index, pair) in spans.into_iter().enumerate() {
+        if !pair.iter().all(|x| x.fract() == 0.0 && (0.0..=MAX_PIECES as f64).contains(x)) {
+            return Err(bad_input("The options", "spans are pairs of numbers of points, from 0"));
+        }
+        let [from, to] = pair.map(|x| x as usize);
+        whole.push(if reflected.get(index) == Some(&true) { (to, from) } else { (from, to) });
+    }
+    Ok(whole)
+}
+
 #[derive(Deserialize)]
 struct Options {
     c: Vec<f64>,
@@ -111,15 +124,7 @@ pub fn interpolation(
         (Some(_), Some(_)) => return Err(bad_input("The options", "give spans or domains, not both")),
         (None, None) => (Kind::Fif, FractalFunction::fif(&points, &c, &reflected)),
         (Some(spans), None) => {
-            let mut whole = Vec::with_capacity(spans.len());
-            for (index, pair) in spans.into_iter().enumerate() {
-                if !pair.iter().all(|x| x.fract() == 0.0 && (0.0..=MAX_PIECES as f64).contains(x)) {
-                    return Err(bad_input("The options", "spans are pairs of numbers of points, from 0"));
-                }
-                let [from, to] = pair.map(|x| x as usize);
-                whole.push(if reflected.get(index) == Some(&true) { (to, from) } else { (from, to) });
-            }
-            (Kind::Rfif, FractalFunction::rfif(&points, &c, &whole))
+            (Kind::Rfif, FractalFunction::rfif(&points, &c, &whole_spans(spans, &reflected)?))
         }
         (None, Some(domains)) => (Kind::Pfif, FractalFunction::through(&points, &c, &reflected, &domains)),
     };

@@ -6,7 +6,17 @@ import { PanelFoot } from "#ui/panel/PanelFoot";
 import { fitTask } from "#workers/fit/client";
 import { CopiesPanel } from "./copies/CopiesPanel";
 import { KeptPanel } from "./kept/KeptPanel";
-import { GraphPanel, GraphStage, GraphStrip, graphOpen, ModeChoice } from "./mode";
+import {
+  GraphPanel,
+  GraphStage,
+  GraphStrip,
+  graphOpen,
+  ModeChoice,
+  PlanePanel,
+  PlaneStage,
+  PlaneStrip,
+  planeOpen,
+} from "./mode";
 import { CutPanel } from "./panel/CutPanel";
 import { FiguresPanel } from "./panel/FiguresPanel";
 import { ModelPanel } from "./panel/ModelPanel";
@@ -32,7 +42,7 @@ export function FitPanel() {
   return (
     <div class="panel">
       <ModeChoice />
-      {graphOpen.value ? <GraphPanel /> : <Outline />}
+      {graphOpen.value ? <GraphPanel /> : planeOpen.value ? <PlanePanel /> : <Outline />}
     </div>
   );
 }
@@ -87,9 +97,11 @@ function watchStep(): () => void {
 }
 
 export function FitStrip() {
+  if (planeOpen.value) return <PlaneStrip />;
   return graphOpen.value ? <GraphStrip /> : <OutlineStrip />;
 }
 
 export function FitStage() {
+  if (planeOpen.value) return <PlaneStage />;
   return graphOpen.value ? <GraphStage /> : <OutlineStage />;
 }

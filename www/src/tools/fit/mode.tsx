@@ -1,21 +1,23 @@
-/** An outline or a graph: two halves of one tool, of which the second is loaded when it is first opened. */
-import { computed, effect, signal } from "@preact/signals";
+/** An outline, a graph or a curve: three parts of one tool, of which two are loaded when they are first opened. */
+import { computed, effect, type Signal, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { changeFit, fitDocument } from "#document/fit";
 import { notify, wordsOf } from "#document/notice";
 import { Segmented } from "#ui/controls/Segmented";
 
 export const graphOpen = computed(() => fitDocument.value.mode === "graph");
+export const planeOpen = computed(() => fitDocument.value.mode === "plane");
 
 const graph = signal<typeof import("./graph/index") | null>(null);
+const plane = signal<typeof import("./plane/index") | null>(null);
 
-function load(): void {
-  if (graph.peek()) return;
-  import("./graph/index").then(
+function load<T>(part: Signal<T | null>, name: string, get: () => Promise<T>): void {
+  if (part.peek()) return;
+  get().then(
     (module) => {
-      graph.value = module;
+      part.value = module;
     },
-    (problem) => notify({ kind: "error", text: `Graphs could not be loaded: ${wordsOf(problem)}` }),
+    (problem) => notify({ kind: "error", text: `${name} could not be loaded: ${wordsOf(problem)}` }),
   );
 }
 
@@ -23,7 +25,8 @@ export function ModeChoice() {
   useEffect(
     () =>
       effect(() => {
-        if (graphOpen.value) load();
+        if (graphOpen.value) load(graph, "Graphs", () => import("./graph/index"));
+        if (planeOpen.value) load(plane, "Curves of the plane", () => import("./plane/index"));
       }),
     [],
   );
@@ -34,6 +37,7 @@ export function ModeChoice() {
       options={[
         { value: "outline", label: "An outline", description: "A leaf, a coast: a closed curve" },
         { value: "graph", label: "A graph", description: "A profile, a time series: a function" },
+        { value: "plane", label: "A curve", description: "A fractal curve through points of the plane" },
       ]}
       onChange={(mode) => changeFit((now) => ({ ...now, mode }))}
     />
@@ -53,4 +57,19 @@ export function GraphStrip() {
 export function GraphStage() {
   const Graph = graph.value;
   return Graph && <Graph.GraphStage />;
+}
+
+export function PlanePanel() {
+  const Plane = plane.value;
+  return Plane && <Plane.PlanePanel />;
+}
+
+export function PlaneStrip() {
+  const Plane = plane.value;
+  return Plane && <Plane.PlaneStrip />;
+}
+
+export function PlaneStage() {
+  const Plane = plane.value;
+  return Plane && <Plane.PlaneStage />;
 }

@@ -11,7 +11,7 @@ export function open(file: File): void {
       void takeTable(file);
       return;
     }
-    changeFit((fit) => ({ ...fit, mode: "outline" }));
   }
+  changeFit((fit) => (fit.mode === "outline" ? fit : { ...fit, mode: "outline" }));
   void takeFile(file, file.name, takeSeries);
 }

@@ -12,6 +12,7 @@ import { Switch } from "#ui/controls/Switch";
 import { DomainFields } from "./DomainFields";
 import css from "./graph.module.css";
 import {
+  asPlaneCurve,
   changeModel,
   chooseKind,
   chosenKnot,
@@ -61,6 +62,14 @@ export function FunctionSection() {
       <p class="hint">{KINDS.find((one) => one.value === now.kind)?.about}</p>
       <PieceList />
       <KnotFields />
+      <Button
+        kind="quiet"
+        icon="arrow"
+        description="The same graph through points of the plane, which may then go anywhere, and copies may turn and lean"
+        onClick={asPlaneCurve}
+      >
+        As a curve of the plane
+      </Button>
       <FactList />
     </section>
   );

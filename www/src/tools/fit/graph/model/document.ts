@@ -4,6 +4,8 @@ import { changeFit, fitDocument } from "#document/fit";
 import { announce, notify, wordsOf } from "#document/notice";
 import type { Graph } from "#wasm/api";
 import { rough } from "#wasm/curve";
+import { fromGraph } from "../../plane/model/curve";
+import { toWord } from "../../plane/model/word";
 import { asKind, evaluator, type Kind, type Model, modelOf, request, short } from "./model";
 
 /** Where nothing was made yet: Figure 1 of the paper. */
@@ -91,6 +93,22 @@ export function chooseKind(kind: Kind): void {
     });
   }
   if (changeModel((model_) => asKind(model_, kind))) announce(NAMES[kind]);
+}
+
+/** The same graph as a curve of the plane, cut finer where parts end between points. */
+export function asPlaneCurve(): void {
+  const now = graph.peek();
+  const cut = now.kind === "pfif" ? rough.toRecurrent(now, MOST_CUT) : now;
+  const plane = cut && fromGraph(cut, evaluator(cut));
+  if (plane) {
+    changeFit((fit) => ({ ...fit, mode: "plane", plane: toWord(plane) }));
+    announce(`A curve of the plane in ${plane.pieces.length} pieces.`);
+  } else {
+    notify({
+      kind: "info",
+      text: "Cut so that all parts begin and end at points, these pieces never come to an end. Let them copy a stretch first.",
+    });
+  }
 }
 
 export interface Facts {

@@ -1,0 +1,251 @@
+import { computed, signal } from "@preact/signals";
+import { dark } from "#document/preferences";
+import { endGesture } from "#document/scene";
+import { fixed } from "#format/numbers";
+import { palette } from "#style/palette";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
+import { Select } from "#ui/controls/Select";
+import { Switch } from "#ui/controls/Switch";
+import graphCss from "../graph/graph.module.css";
+import { FactorPad } from "./FactorPad";
+import {
+  alongSide,
+  apart,
+  type Factor,
+  isApart,
+  MOST_ENTRY,
+  MOST_PIECES,
+  norm,
+  sideOf,
+  withPiece,
+  withPointIn,
+} from "./model/curve";
+import { change, chosenPiece, chosenPoint, curve, placeAt, problem, setFactor } from "./model/document";
+import css from "./plane.module.css";
+
+/** Up to here all pieces have a row; beyond, the chosen one has. */
+const ALL = 12;
+
+const ENTRIES = [
+  { k: 0, name: "x from x", symbol: "cx", own: true },
+  { k: 1, name: "x from y", symbol: "cxy", own: false },
+  { k: 2, name: "y from x", symbol: "cyx", own: false },
+  { k: 3, name: "y from y", symbol: "cy", own: true },
+] as const;
+
+/** Both are asked for, though no factor needs it yet. */
+const together = signal(false);
+const shownApart = computed(() => isApart(curve.value) && !together.value);
+const colours = computed(() => palette(dark.value ? "dark" : "light"));
+
+/** What copies may do, and each piece. */
+export function Pieces() {
+  const { pieces } = curve.value;
+  const chosen = Math.min(chosenPiece.value, pieces.length - 1);
+  const shown = pieces.length <= ALL ? pieces.map((_, i) => i) : [chosen];
+  return (
+    <>
+      <p class="row-name">In a copy, x and y answer</p>
+      <Segmented
+        label="How x and y of a copy answer to each other"
+        options={[
+          {
+            value: "apart",
+            label: "each to itself",
+            description: "Eq 8: x and y are two functions of one t",
+          },
+          { value: "together", label: "to both", description: "Eq 9: copies turn and lean" },
+        ]}
+        value={shownApart.value ? "apart" : "together"}
+        onChange={(kind) => {
+          together.value = kind === "together";
+          if (kind === "apart") change(apart);
+        }}
+      />
+      {pieces.length > ALL && (
+        <div class="row">
+          <label class="row-name" for="plane-piece">
+            Piece of {pieces.length}
+          </label>
+          <Select
+            id="plane-piece"
+            value={chosen}
+            onChange={(event) => {
+              chosenPiece.value = Number(event.currentTarget.value);
+            }}
+          >
+            {pieces.map((_, i) => (
+              <option key={i} value={i}>
+                {i + 1}
+              </option>
+            ))}
+          </Select>
+        </div>
+      )}
+      <ol class={graphCss["graph-pieces"]}>
+        {shown.map((index) => (
+          <Row key={index} index={index} open={index === chosen} />
+        ))}
+      </ol>
+    </>
+  );
+}
+
+/** What a factor does, in words. */
+function about(factor: Factor, side: "turned" | "mirrored" | null): string {
+  const size = `${fixed(norm(factor), 2)} times`;
+  if (factor.every((x) => x === 0)) return "straight";
+  if (side === null) return `at most ${size} as large`;
+  const degrees = Math.round((180 / Math.PI) * Math.atan2(factor[2], factor[0]));
+  if (side === "mirrored") return `${size} as large, mirrored`;
+  return degrees === 0 ? `${size} as large` : `${size} as large, turned by ${degrees}°`;
+}
+
+function Row({ index, open }: { index: number; open: boolean }) {
+  const now = curve.value;
+  const piece = now.pieces[index];
+  if (!piece) return null;
+  const colour = colours.value[index % colours.value.length] ?? "gray";
+  return (
+    <li class={css["row"]} style={{ "--piece": colour }}>
+      <button
+        type="button"
+        class={graphCss["piece-number"]}
+        aria-expanded={open}
+        aria-label={`Piece ${index + 1}`}
+        onClick={() => {
+          chosenPiece.value = index;
+        }}
+      >
+        {index + 1}
+      </button>
+      <span class={`${css["about"]} number`}>{about(piece.factor, sideOf(now, index))}</span>
+      {open && <More index={index} factor={piece.factor} />}
+    </li>
+  );
+}
+
+function More({ index, factor }: { index: number; factor: Factor }) {
+  const now = curve.value;
+  const side = sideOf(now, index);
+  const set = (k: number, value: number) => {
+    const next: Factor = [...factor];
+    next[k] = value;
+    return setFactor(index, next, `entry ${index} ${k}`) ? undefined : (problem.peek() ?? "");
+  };
+  const along = (mirrored: boolean) => {
+    const next = alongSide(now, index, mirrored);
+    if (next) setFactor(index, next, `side ${index}`);
+    endGesture();
+  };
+  return (
+    <div class={css["more"]}>
+      <FactorPad piece={index} factor={factor} apart={shownApart.value} />
+      <div class={css["entries"]}>
+        {ENTRIES.filter(({ own }) => own || !shownApart.value).map(({ k, name, symbol }) => (
+          <NumberField
+            key={k}
+            label={`${name}, piece ${index + 1}`}
+            symbol={symbol}
+            terse
+            value={factor[k]}
+            min={-MOST_ENTRY}
+            max={MOST_ENTRY}
+            digits={3}
+            onChange={(value) => set(k, value)}
+            onDone={endGesture}
+          />
+        ))}
+      </div>
+      {!shownApart.value && (
+        <div class="row">
+          <Button
+            pressed={side === "turned"}
+            description="The copy is similar to what it copies, turned along the straight side from point to point"
+            onClick={() => along(false)}
+          >
+            Along its side
+          </Button>
+          <Button
+            pressed={side === "mirrored"}
+            description="The same, mirrored at its side"
+            onClick={() => along(true)}
+          >
+            Mirrored
+          </Button>
+        </div>
+      )}
+      <Span index={index} />
+      <div class={graphCss["piece-more"]}>
+        <Switch
+          checked={isBack(index)}
+          onChange={() =>
+            change((old) => {
+              const [from, to] = old.pieces[index]?.span ?? [0, 1];
+              return withPiece(old, index, { span: [to, from] });
+            })
+          }
+          description="The copy begins where the last point goes."
+        >
+          Runs backwards
+        </Switch>
+        <Button
+          kind="quiet"
+          icon="add"
+          disabled={now.pieces.length >= MOST_PIECES}
+          description="A point in the middle of this piece, on the curve"
+          onClick={() => addPoint(index)}
+        >
+          Point
+        </Button>
+      </div>
+    </div>
+  );
+}
+
+const isBack = (index: number): boolean => {
+  const [from, to] = curve.value.pieces[index]?.span ?? [0, 1];
+  return from > to;
+};
+
+/** What a piece copies: from point to point. */
+function Span({ index }: { index: number }) {
+  const { pieces, points } = curve.value;
+  const span = pieces[index]?.span ?? [0, 1];
+  const [low, high] = [Math.min(...span), Math.max(...span)];
+  const set = (end: 0 | 1, to: number) => {
+    const ends = end === 0 ? [to, high] : [low, to];
+    const next: [number, number] = [Math.min(...ends), Math.max(...ends)];
+    change((now) => withPiece(now, index, { span: isBack(index) ? [next[1], next[0]] : next }));
+  };
+  return (
+    <p class={graphCss["piece-domain"]}>
+      <span class="row-name">copies from point</span>
+      {([0, 1] as const).map((end) => (
+        <Select
+          key={end}
+          aria-label={
+            end === 0 ? `Piece ${index + 1} copies from point` : `Piece ${index + 1} copies up to point`
+          }
+          value={end === 0 ? low : high}
+          onChange={(event) => set(end, Number(event.currentTarget.value))}
+        >
+          {points.map((_, i) => (
+            <option key={i} value={i}>
+              {i + 1}
+            </option>
+          ))}
+        </Select>
+      ))}
+    </p>
+  );
+}
+
+function addPoint(piece: number): void {
+  const { points } = curve.peek();
+  const [from, to] = [points[piece]?.[0] ?? 0, points[piece + 1]?.[0] ?? 1];
+  const place = placeAt((from + to) / 2);
+  if (place && change((now) => withPointIn(now, piece, place))) chosenPoint.value = piece + 1;
+}

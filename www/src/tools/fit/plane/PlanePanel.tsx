@@ -1,0 +1,132 @@
+import { endGesture } from "#document/scene";
+import { formatNumber } from "#format/numbers";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Select } from "#ui/controls/Select";
+import graphCss from "../graph/graph.module.css";
+import { type Place, withoutPoint, withPlace, withTime } from "./model/curve";
+import { change, chosenPoint, curve, maps, problem } from "./model/document";
+import { EXAMPLES } from "./model/examples";
+import { Pieces } from "./Pieces";
+import css from "./plane.module.css";
+import { UseSection } from "./UseSection";
+
+/** A curve of the plane by hand. */
+export function PlanePanel() {
+  return (
+    <div class={graphCss["fit-graph-panel"]}>
+      <section class="stack">
+        <div class="section-head">
+          <h2>The curve</h2>
+          <Select
+            aria-label="An example"
+            value=""
+            onChange={(event) => {
+              const example = EXAMPLES.find(({ id }) => id === event.currentTarget.value);
+              if (example) change(() => example.make());
+              event.currentTarget.value = "";
+            }}
+          >
+            <option value="" disabled>
+              Examples …
+            </option>
+            {EXAMPLES.map(({ id, name }) => (
+              <option key={id} value={id}>
+                {name}
+              </option>
+            ))}
+          </Select>
+        </div>
+        <p class="hint">
+          It goes through its points, wherever they lie, and every piece from point to point is a copy of it.
+          A copy’s factor is a matrix of two rows that has to shorten every direction.
+        </p>
+        <Pieces />
+        <PointFields />
+        <Facts />
+      </section>
+      <UseSection />
+    </div>
+  );
+}
+
+/** The chosen point in numbers. */
+function PointFields() {
+  const { points } = curve.value;
+  const index = Math.min(chosenPoint.value, points.length - 1);
+  const point = points[index];
+  if (!point) return null;
+  const [t, x, y] = point;
+  const told = (done: boolean) => (done ? undefined : (problem.peek() ?? ""));
+  const move = (to: Place, axis: string) =>
+    told(change((now) => withPlace(now, index, to), `point ${index} ${axis}`));
+  return (
+    <fieldset class={css["places"]}>
+      <legend class="row-name">
+        Point{" "}
+        <Select
+          aria-label="Which point"
+          value={index}
+          onChange={(event) => {
+            chosenPoint.value = Number(event.currentTarget.value);
+          }}
+        >
+          {points.map((_, i) => (
+            <option key={i} value={i}>
+              {i + 1}
+            </option>
+          ))}
+        </Select>
+        <Button
+          kind="quiet"
+          icon="bin"
+          disabled={index === 0 || index === points.length - 1 || points.length <= 3}
+          onClick={() => change((now) => withoutPoint(now, index))}
+        >
+          Remove
+        </Button>
+      </legend>
+      <NumberField
+        label={`x of point ${index + 1}`}
+        symbol="x"
+        terse
+        value={x}
+        onChange={(next) => move([next, y], "x")}
+        onDone={endGesture}
+      />
+      <NumberField
+        label={`y of point ${index + 1}`}
+        symbol="y"
+        terse
+        value={y}
+        onChange={(next) => move([x, next], "y")}
+        onDone={endGesture}
+      />
+      <NumberField
+        label={`When point ${index + 1} is reached`}
+        symbol="t"
+        terse
+        value={t}
+        onChange={(next) => told(change((now) => withTime(now, index, next), `point ${index} t`))}
+        onDone={endGesture}
+      />
+    </fieldset>
+  );
+}
+
+function Facts() {
+  const { pieces } = curve.value;
+  const s = maps.value?.contractivity;
+  return (
+    <dl class={graphCss["graph-facts"]}>
+      <div title="10 numbers a map, of which t takes two; 8 where x and y answer each to itself">
+        <dt>Maps</dt>
+        <dd class="number">{pieces.length}</dd>
+      </div>
+      <div title="How much each step shrinks the rest, under the metric of eq 2 with norms for factors">
+        <dt>Contractivity</dt>
+        <dd class="number">{s === undefined ? "–" : formatNumber(s, 4)}</dd>
+      </div>
+    </dl>
+  );
+}

@@ -1,0 +1,165 @@
+import { useSignalEffect } from "@preact/signals";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { dark } from "#document/preferences";
+import { formatNumber } from "#format/numbers";
+import { type Size, toScreen, type View, world } from "#geometry/coordinates";
+import { palette } from "#style/palette";
+import { IconButton } from "#ui/controls/Button";
+import { attachPanZoom, type PanZoom, panZoomKey } from "#ui/panZoom";
+import css from "../../graph/graph.module.css";
+import type { PlaneCurve } from "../model/curve";
+import { chosenPiece, curve, damage, problem } from "../model/document";
+import { Points } from "./Points";
+import { drawn, magnified, panBy, showAll, stageBox, view, zoomAbout } from "./shown";
+
+const PICTURE: PanZoom = { pan: panBy, zoom: zoomAbout, fit: showAll };
+
+/** The curve and its points, which hands move. */
+export function PlaneStage() {
+  const root = useRef<HTMLDivElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => (root.current ? attachPanZoom(root.current, PICTURE) : undefined), []);
+  useLayoutEffect(() => {
+    const element = root.current;
+    if (!element) return;
+    const measure = () => {
+      stageBox.value = { width: element.clientWidth, height: element.clientHeight };
+    };
+    const watch = new ResizeObserver(measure);
+    watch.observe(element);
+    measure();
+    return () => watch.disconnect();
+  }, []);
+  useSignalEffect(() => {
+    const element = canvas.current;
+    const context = element?.getContext("2d");
+    const size = stageBox.value;
+    if (!element || !context || size.width === 0) return;
+    const ratio = Math.min(3, globalThis.devicePixelRatio || 1);
+    const [across, down] = [Math.round(size.width * ratio), Math.round(size.height * ratio)];
+    if (element.width !== across) element.width = across;
+    if (element.height !== down) element.height = down;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, size.width, size.height);
+    sides(
+      context,
+      curve.value,
+      view.value,
+      size,
+      getComputedStyle(element).getPropertyValue("--line-strong"),
+    );
+    const colours = palette(dark.value ? "dark" : "light");
+    trace(context, curve.value, drawn.value.line, view.value, size, colours, chosenPiece.value);
+  });
+  return (
+    <div
+      ref={root}
+      class={css["graph-stage"]}
+      data-points={drawn.value.line.length / 3}
+      role="application"
+      aria-label="The curve. Arrow keys move it, plus and minus zoom, 0 shows all of it."
+      // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
+      tabIndex={0}
+      onKeyDown={(event) => {
+        if (event.target === event.currentTarget && panZoomKey(event, PICTURE)) event.preventDefault();
+      }}
+    >
+      <canvas ref={canvas} />
+      <Points />
+      <Foot />
+    </div>
+  );
+}
+
+/** The straight sides from point to point, under the curve. */
+function sides(
+  context: CanvasRenderingContext2D,
+  { points }: PlaneCurve,
+  now: View,
+  size: Size,
+  colour: string,
+): void {
+  context.strokeStyle = colour;
+  context.lineWidth = 1;
+  context.setLineDash([3, 4]);
+  context.beginPath();
+  for (const [, x, y] of points) {
+    const at = toScreen(world(x, y), now, size);
+    context.lineTo(at.x, at.y);
+  }
+  context.stroke();
+  context.setLineDash([]);
+}
+
+/** The curve, each piece in its colour, the chosen one thicker. */
+function trace(
+  context: CanvasRenderingContext2D,
+  { points }: PlaneCurve,
+  line: Float64Array,
+  now: View,
+  size: Size,
+  colours: readonly string[],
+  chosen: number,
+): void {
+  context.lineJoin = "round";
+  let i = 0;
+  for (let piece = 0; piece + 1 < points.length; piece++) {
+    const end = points[piece + 1]?.[0] ?? 1;
+    context.strokeStyle = colours[piece % colours.length] ?? "gray";
+    context.lineWidth = piece === chosen ? 2.25 : 1.5;
+    context.beginPath();
+    let pen = false;
+    for (; i + 2 < line.length; i += 3) {
+      const [t, x, y] = [line[i] ?? 0, line[i + 1] ?? 0, line[i + 2] ?? 0];
+      if (Number.isNaN(x)) {
+        pen = false;
+      } else {
+        const left = size.width / 2 + (x - now.x) * now.scale;
+        const top = size.height / 2 - (y - now.y) * now.scale;
+        if (pen) context.lineTo(left, top);
+        else context.moveTo(left, top);
+        pen = true;
+      }
+      // The first point of the next piece is the last of this one.
+      if (t >= end && piece + 2 < points.length) break;
+    }
+    context.stroke();
+  }
+}
+
+function Foot() {
+  const wrong = problem.value;
+  const zoom = magnified.value;
+  const { complete, line } = drawn.value;
+  return (
+    <div class={css["graph-foot"]} data-handle="">
+      {wrong !== null && (
+        <p class={css["graph-problem"]} role="alert">
+          {wrong} The last curve stays.
+        </p>
+      )}
+      {damage.value !== null && (
+        <p class={css["graph-problem"]} role="alert">
+          {damage.value}
+        </p>
+      )}
+      {!complete && (
+        <p class="readout" data-part="coarse">
+          Drawn as finely as {(line.length / 3).toLocaleString("en-GB")} points can
+        </p>
+      )}
+      <div class={css["graph-zoom"]}>
+        {zoom > 1.01 && <span class="readout number">{formatNumber(zoom, zoom < 10 ? 1 : 0)}×</span>}
+        <IconButton kind="quiet" icon="remove" label="Zoom out" onClick={() => zoomAbout(1 / 1.6)} />
+        <IconButton kind="quiet" icon="add" label="Zoom in" onClick={() => zoomAbout(1.6)} />
+        <IconButton
+          kind="quiet"
+          icon="whole"
+          label="Show all of it"
+          disabled={Math.abs(zoom - 1) < 1e-6}
+          onClick={showAll}
+        />
+      </div>
+    </div>
+  );
+}
