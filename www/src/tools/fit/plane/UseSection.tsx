@@ -1,12 +1,13 @@
 import { Button } from "#ui/controls/Button";
-import { plainMaps } from "./model/curve";
+import { MOST_MAPS, plainMaps } from "./model/curve";
 import { maps } from "./model/document";
 import { outlineOf, systemOf, takeOutline, takeSystem } from "./use";
 
 /** Where the curve goes from here. */
 export function UseSection() {
   const now = maps.value;
-  const rows = now && plainMaps(now);
+  const plain = now && plainMaps(now);
+  const rows = plain && plain.length <= MOST_MAPS ? plain : null;
   const take = (to: "a" | "b" | "bent") => {
     const system = systemOf();
     if (system) takeSystem(system, to);

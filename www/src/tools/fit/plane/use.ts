@@ -5,7 +5,7 @@ import { notify, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import type { CurveShape, Shape } from "#wasm/api";
 import { rough } from "#wasm/curve";
-import { plainMaps } from "./model/curve";
+import { MOST_MAPS, plainMaps } from "./model/curve";
 import { maps } from "./model/document";
 
 /** The most corners of an outline: as many as a link holds with ease. */
@@ -16,7 +16,7 @@ const NAME = "Curve of the plane";
 export function systemOf(): Shape | null {
   const now = maps.peek();
   const rows = now && plainMaps(now);
-  return rows && rows.length <= 64 ? { name: NAME, maps: rows } : null;
+  return rows && rows.length <= MOST_MAPS ? { name: NAME, maps: rows } : null;
 }
 
 /** It as a closed outline. */

@@ -21,6 +21,8 @@ export interface PlaneCurve {
 export type Place = readonly [x: number, y: number];
 
 export const MOST_PIECES = 256;
+/** The most maps of a system. */
+export const MOST_MAPS = 64;
 /** What an entry of a factor may say; whether it shrinks hangs on all four. */
 export const MOST_ENTRY = 0.99;
 

@@ -1,5 +1,5 @@
 /** The curve of the document, its maps, and what hands do to it. */
-import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
+import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { changeFit, fitDocument } from "#document/fit";
 import { wordsOf } from "#document/notice";
 import type { PlaneGraph } from "#wasm/api";
@@ -50,6 +50,15 @@ export const problem = signal<string | null>(null);
 
 /** The factor that was refused last, as long as nothing else was done. */
 export const refused = signal<{ piece: number; factor: Factor } | null>(null);
+
+// What stood in the way of another curve says nothing of this one.
+effect(() => {
+  fitDocument.value.plane;
+  batch(() => {
+    problem.value = null;
+    refused.value = null;
+  });
+});
 
 /** Another curve: one undo step, or part of a gesture. Says whether it is one; if not, the last one stays. */
 export function change(to: (now: PlaneCurve) => PlaneCurve, gesture?: string): boolean {

@@ -2,7 +2,7 @@ import { useSignalEffect } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { formatNumber } from "#format/numbers";
-import { type Size, toScreen, type View, world } from "#geometry/coordinates";
+import { type Screen, type Size, toScreen, type View, world } from "#geometry/coordinates";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/controls/Button";
 import { attachPanZoom, type PanZoom, panZoomKey } from "#ui/panZoom";
@@ -12,7 +12,24 @@ import { chosenPiece, curve, damage, problem } from "../model/document";
 import { Points } from "./Points";
 import { drawn, magnified, panBy, showAll, stageBox, view, zoomAbout } from "./shown";
 
-const PICTURE: PanZoom = { pan: panBy, zoom: zoomAbout, fit: showAll };
+/** So near to a piece a press chooses it, in pixels. */
+const NEAR = 16;
+
+const PICTURE: PanZoom = { pan: panBy, zoom: zoomAbout, fit: showAll, tap: choosePiece };
+
+/** A press on the curve chooses the piece. */
+function choosePiece({ x, y }: Screen): void {
+  const { line } = drawn.peek();
+  const [now, size] = [view.peek(), stageBox.peek()];
+  let [nearest, t] = [NEAR, Number.NaN];
+  for (let i = 0; i + 2 < line.length; i += 3) {
+    const at = toScreen(world(line[i + 1] ?? 0, line[i + 2] ?? 0), now, size);
+    const off = Math.hypot(at.x - x, at.y - y);
+    if (off < nearest) [nearest, t] = [off, line[i] ?? 0];
+  }
+  const index = curve.peek().points.findLastIndex((point) => point[0] <= t);
+  if (index >= 0) chosenPiece.value = Math.min(index, curve.peek().pieces.length - 1);
+}
 
 /** The curve and its points, which hands move. */
 export function PlaneStage() {

@@ -23,6 +23,14 @@ const MOVING = 1;
 /** Null shows all. */
 const chosen = signal<View | null>(null);
 
+/** A first look at all of it: t0, x0, y0, t1, .. */
+export const look: ReadonlySignal<Float64Array> = computed(() => {
+  const now = maps.value;
+  return now
+    ? rough.sampleInterpolationCurve(now, { tolerance: 0, most: FIRST_POINTS })
+    : new Float64Array(0);
+});
+
 /** All of the curve and of its points, as x0, y0, x1, y1. */
 const box = computed<readonly [number, number, number, number]>(() => {
   let [left, low, right, high] = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, -Infinity, -Infinity];
@@ -33,11 +41,8 @@ const box = computed<readonly [number, number, number, number]>(() => {
     if (y > high) high = y;
   };
   for (const [, x, y] of curve.value.points) take(x, y);
-  const now = maps.value;
-  if (now) {
-    const line = rough.sampleInterpolationCurve(now, { tolerance: 0, most: FIRST_POINTS });
-    for (let i = 0; i + 2 < line.length; i += 3) take(line[i + 1] ?? 0, line[i + 2] ?? 0);
-  }
+  const line = look.value;
+  for (let i = 0; i + 2 < line.length; i += 3) take(line[i + 1] ?? 0, line[i + 2] ?? 0);
   return left <= right ? [left, low, right, high] : [0, 0, 1, 1];
 });
 
