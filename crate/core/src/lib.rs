@@ -83,7 +83,7 @@ pub use directed::chaos_game::DirectedGame;
 pub use directed::contraction::{DirectedContraction, StateDisc};
 pub use directed::cut::{DirectedPiece, directed_cut};
 pub use directed::dimension::directed_dimension;
-pub use directed::error::{DirectedError, MAX_STATES};
+pub use directed::error::{DirectedError, MAX_STATES, MOST_FOUND_MAPS, MOST_FOUND_STATES};
 pub use directed::map::DirectedMap;
 pub use directed::morph::{DirectedMorph, DirectedMorphError};
 pub use directed::system::DirectedIfs;

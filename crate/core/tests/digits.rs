@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use frond_core::{AddressCount, DigitError, DigitSystem, GridIntersection, grid_intersection};
+use frond_core::{AddressCount, DigitError, DigitSystem, GridIntersection, Hull, grid_intersection};
 use frond_testing::cases;
 use glam::DVec2;
 use proptest::prelude::*;
@@ -157,6 +157,20 @@ fn digits_of_one_remainder_give_a_bound() {
     assert!(grid_intersection(&cantor, &wide, [1, 0], 9).unwrap().is_exact);
 }
 
+/// Red where kinds beyond the 64 states of a system made by hand are lost, or the numbers that follow from them.
+#[test]
+fn hundreds_of_kinds_are_one_system_too() {
+    let whole = line(3, &[0, 1, 2]);
+    // From 0 to 1, and from 100/257 on: powers of 3 meet every remainder of 257.
+    let found = grid_intersection(&whole, &whole, [100, 0], 257).unwrap();
+    assert!(found.states.len() > 64, "{}", found.states.len());
+    let system = found.system().unwrap().unwrap();
+    let hull = &Hull::of_states(&system)[0];
+    assert!((hull.min().x - 100.0 / 257.0).abs() < 1e-6 && (hull.max().x - 1.0).abs() < 1e-6);
+    assert!((found.dimension().unwrap() - 1.0).abs() < 1e-9);
+    assert_eq!(found.addresses(), AddressCount::Uncountable);
+}
+
 #[test]
 fn what_cannot_be_worked_out_is_said() {
     let code = |a: &DigitSystem, b: &DigitSystem, p, q| {
@@ -183,7 +197,9 @@ fn what_cannot_be_worked_out_is_said() {
     let _ = grid_intersection(&large, &large, [999_999_999_999, -1], 1_000_000);
     let slow = system([32, -32, 1, 0], &[[1000, 1000], [-1000, -1000]]);
     let _ = grid_intersection(&slow, &slow, [1, 1], 3);
-    assert!(DigitError::TooManyStates.to_string().contains("64"));
+    assert!(DigitError::TooManyStates.to_string().contains("1024"));
+    let whole = line(3, &[0, 1, 2]);
+    assert_eq!(code(&whole, &whole, [1, 0], 10_007), "grid-too-many-states");
 }
 
 /// The words of so many digits of A with which points of A begin that lie in B + p / q: every pair of words is tried,

@@ -4,7 +4,7 @@ mod grid;
 
 use frond_core::{
     Affine2, DirectedError, DirectedGame, DirectedIfs, DirectedMap, DirectedMorph, Hull, MAX_MAPS,
-    MAX_STATES, Mode, directed_dimension,
+    MAX_STATES, MOST_FOUND_STATES, Mode, directed_dimension,
 };
 use frond_fit::{ClosedCurve, MAX_KNOTS, PackError};
 use frond_locus::{
@@ -46,8 +46,17 @@ pub(crate) fn of_directed(error: &DirectedError) -> JsValue {
 
 /// A system that has an attractor. Longer lists than allowed are refused before their entries are read.
 fn read_system(value: &JsValue) -> Result<DirectedIfs, JsValue> {
+    DirectedIfs::new(read_states(value, MAX_STATES)?).map_err(|error| of_directed(&error))
+}
+
+/// The same of states that were found, of which there may be more.
+fn read_found(value: &JsValue) -> Result<DirectedIfs, JsValue> {
+    DirectedIfs::found(read_states(value, MOST_FOUND_STATES)?).map_err(|error| of_directed(&error))
+}
+
+fn read_states(value: &JsValue, most: usize) -> Result<Vec<Vec<DirectedMap>>, JsValue> {
     let states = Reflect::get(value, &"states".into()).unwrap_or(JsValue::UNDEFINED);
-    if let Some(count) = longer_than(&states, MAX_STATES) {
+    if let Some(count) = longer_than(&states, most) {
         return Err(of_directed(&DirectedError::TooManyStates { count }));
     }
     if let Some(list) = states.dyn_ref::<Array>() {
@@ -59,8 +68,7 @@ fn read_system(value: &JsValue) -> Result<DirectedIfs, JsValue> {
     }
     let plain: PlainSystem = read("The graph-directed system", value.clone())?;
     let map = |part: PlainMap| DirectedMap { from: part.from, map: Affine2::from_row(part.map) };
-    let states = plain.states.into_iter().map(|maps| maps.into_iter().map(map).collect());
-    DirectedIfs::new(states.collect()).map_err(|error| of_directed(&error))
+    Ok(plain.states.into_iter().map(|maps| maps.into_iter().map(map).collect()).collect())
 }
 
 /// Graph-directed shapes of the gallery.
@@ -118,7 +126,7 @@ pub fn outline_shape(
 pub fn directed_facts(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let system = read_system(&system)?;
+    let system = read_found(&system)?;
     let states = Array::new();
     for (state, hull) in Hull::of_states(&system).iter().enumerate() {
         let corners: Vec<[f64; 2]> = hull.vertices().iter().map(|&v| point(v)).collect();
@@ -206,7 +214,7 @@ pub fn rasterize_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
     #[wasm_bindgen(unchecked_param_type = "DirectedRasterOptions")] options: JsValue,
 ) -> Result<Uint8ClampedArray, JsValue> {
-    let system = read_system(&system)?;
+    let system = read_found(&system)?;
     let plain: Plain = read("The options", options)?;
     if plain.state >= system.len() {
         return Err(no_state(plain.state));

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::directed::error::{DirectedError, MAX_STATES};
+use crate::directed::error::{DirectedError, MOST_FOUND_MAPS, MOST_FOUND_STATES};
 use crate::error::MAX_MAPS;
 
 /// The largest entry of a matrix of a [`DigitSystem`](crate::DigitSystem), and of its digits.
@@ -64,8 +64,8 @@ pub enum DigitError {
     },
     /// The graph is larger than what a system may have.
     #[error(
-        "What the two share is made of more than {MAX_STATES} kinds of pieces, or more than {MAX_MAPS} pieces of one kind, \
-         and so many can be drawn. Give a shift with a smaller denominator."
+        "What the two share is made of more than {MOST_FOUND_STATES} kinds of pieces, more than {MAX_MAPS} pieces of one \
+         kind, or more than {MOST_FOUND_MAPS} of all: it stops there. Give a shift with a smaller denominator."
     )]
     TooManyStates,
     /// What was built is no graph-directed system that can be drawn.

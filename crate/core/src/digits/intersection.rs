@@ -85,7 +85,7 @@ impl GridIntersection {
         }
         let map = |&(digit, from): &(usize, usize)| DirectedMap { from, map: self.maps[digit] };
         let states = self.states.iter().map(|state| state.copies.iter().map(map).collect());
-        Ok(Some(DirectedIfs::new(states.collect())?))
+        Ok(Some(DirectedIfs::found(states.collect())?))
     }
 
     /// The dimension by the graph, `log r / log b` where M scales by b and the paths of the graph grow like powers of r

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::digits::shifts::Way;
-use crate::directed::error::MAX_STATES;
+use crate::directed::error::{MOST_FOUND_MAPS, MOST_FOUND_STATES};
 use crate::error::MAX_MAPS;
 
 /// The states that are left of a graph.
@@ -14,12 +14,17 @@ pub(crate) struct Merged {
     pub ways: Vec<Vec<Way>>,
 }
 
+/// Ways that are looked at in all: some seconds.
+const MOST_LOOKS: usize = 20_000_000;
+
 /// The graph with those states made one from which the same ways begin, all along (Moore 1956). `None` where more are
-/// left, or more ways from one, than a graph-directed system may have.
+/// left, or more ways from one or from all, than a graph-directed system may have, or they take too many looks.
 pub(crate) fn merged(graph: &[Vec<Way>]) -> Option<Merged> {
     let count = graph.len();
     let mut class = vec![0; count];
     let mut classes = count.min(1);
+    let each: usize = graph.iter().map(Vec::len).sum();
+    let mut looks = 0;
     let signature = |class: &[usize], state: usize| {
         let mut ways: Vec<Way> = graph[state].iter().map(|way| Way { to: class[way.to], ..*way }).collect();
         ways.sort_unstable();
@@ -35,7 +40,8 @@ pub(crate) fn merged(graph: &[Vec<Way>]) -> Option<Merged> {
         }
         // Classes only split, so that there is an end after as many rounds as there may be states.
         let split = names.len();
-        if split > MAX_STATES {
+        looks += each;
+        if split > MOST_FOUND_STATES || looks > MOST_LOOKS {
             return None;
         }
         class = next;
@@ -47,5 +53,7 @@ pub(crate) fn merged(graph: &[Vec<Way>]) -> Option<Merged> {
     let first = |label: usize| class.iter().position(|&other| other == label).unwrap_or(0);
     let firsts: Vec<usize> = (0..classes).map(first).collect();
     let ways: Vec<Vec<Way>> = firsts.iter().map(|&state| signature(&class, state)).collect();
-    ways.iter().all(|ways| ways.len() <= MAX_MAPS).then_some(Merged { firsts, ways })
+    let few = ways.iter().all(|ways| ways.len() <= MAX_MAPS);
+    let all: usize = ways.iter().map(Vec::len).sum();
+    (few && all <= MOST_FOUND_MAPS).then_some(Merged { firsts, ways })
 }

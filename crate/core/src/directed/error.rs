@@ -7,6 +7,11 @@ use crate::error::{IfsError, MAX_MAPS};
 /// The most states a [`DirectedIfs`](crate::DirectedIfs) may have.
 pub const MAX_STATES: usize = 64;
 
+/// The most states of a system that was found and not made by hand.
+pub const MOST_FOUND_STATES: usize = 1024;
+/// The most maps of all its states together.
+pub const MOST_FOUND_MAPS: usize = 8192;
+
 /// Why states and maps are no graph-directed system that can be drawn.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum DirectedError {

@@ -13,21 +13,23 @@ const MOST_DIMENSION: f64 = 64.0;
 pub(crate) fn dimension_of_class(states: &[Vec<DirectedMap>], classes: &[usize], label: usize) -> f64 {
     let members: Vec<usize> = (0..states.len()).filter(|&state| classes[state] == label).collect();
     let size = members.len();
-    let place = |state: usize| members.iter().position(|&member| member == state);
-    let sizes: Vec<(usize, [f64; 2])> = members
+    let mut places = vec![None; states.len()];
+    for (row, &state) in members.iter().enumerate() {
+        places[state] = Some(row);
+    }
+    let place = |state: usize| places[state];
+    let sizes: Vec<([usize; 2], [f64; 2])> = members
         .iter()
         .enumerate()
         .flat_map(|(row, &state)| {
             states[state].iter().filter_map(move |part| {
-                Some((row * size + place(part.from)?, Dim2::singular_values(part.map.linear)))
+                Some(([row, place(part.from)?], Dim2::singular_values(part.map.linear)))
             })
         })
         .collect();
     let exceeds = |s: f64| {
-        let mut matrix = vec![0.0; size * size];
-        for (at, values) in &sizes {
-            matrix[*at] += falconer(values, s);
-        }
+        let matrix: Vec<([usize; 2], f64)> =
+            sizes.iter().map(|(at, values)| (*at, falconer(values, s))).collect();
         exceeds_one(&matrix, size)
     };
     if exceeds(MOST_DIMENSION) {
@@ -42,16 +44,18 @@ pub(crate) fn dimension_of_class(states: &[Vec<DirectedMap>], classes: &[usize],
 }
 
 /// Whether the spectral radius of a matrix without negative numbers, of states that all lead to each other, is above 1.
+/// It is given by its entries, each a row, a column and a number; those of one place add up.
 ///
 /// By powers of the matrix and the identity: the least and the largest factor by which an entry grows are bounds at
 /// every step (Collatz & Wielandt).
-fn exceeds_one(matrix: &[f64], size: usize) -> bool {
+fn exceeds_one(matrix: &[([usize; 2], f64)], size: usize) -> bool {
     let mut vector = vec![1.0; size];
     let mut middle = 0.0;
     for _ in 0..2000 {
-        let next: Vec<f64> = (0..size)
-            .map(|row| vector[row] + (0..size).map(|k| matrix[row * size + k] * vector[k]).sum::<f64>())
-            .collect();
+        let mut next = vector.clone();
+        for ([row, column], factor) in matrix {
+            next[*row] += factor * vector[*column];
+        }
         let growth = || next.iter().zip(&vector).map(|(new, old)| new / old - 1.0);
         let (low, high) = (growth().fold(f64::INFINITY, f64::min), growth().fold(0.0, f64::max));
         if low > 1.0 || high <= 1.0 {

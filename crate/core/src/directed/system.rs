@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::DVec2;
 
 use crate::directed::contraction::DirectedContraction;
-use crate::directed::error::{DirectedError, MAX_STATES};
+use crate::directed::error::{DirectedError, MAX_STATES, MOST_FOUND_MAPS, MOST_FOUND_STATES};
 use crate::directed::map::DirectedMap;
 use crate::directed::{measure, reach};
 use crate::error::MAX_MAPS;
@@ -54,7 +54,24 @@ impl DirectedIfs {
     /// # Errors
     /// [`DirectedError`] where they are none, or have no attractor.
     pub fn new(states: Vec<Vec<DirectedMap>>) -> Result<Self, DirectedError> {
-        check(&states)?;
+        check(&states, MAX_STATES)?;
+        Self::checked(states)
+    }
+
+    /// The same of states that were found, not made by hand: up to [`MOST_FOUND_STATES`] of them, of up to
+    /// [`MOST_FOUND_MAPS`] maps in all.
+    ///
+    /// # Errors
+    /// As [`DirectedIfs::new`].
+    pub fn found(states: Vec<Vec<DirectedMap>>) -> Result<Self, DirectedError> {
+        check(&states, MOST_FOUND_STATES)?;
+        if states.iter().map(Vec::len).sum::<usize>() > MOST_FOUND_MAPS {
+            return Err(DirectedError::TooManyStates { count: states.len() });
+        }
+        Self::checked(states)
+    }
+
+    fn checked(states: Vec<Vec<DirectedMap>>) -> Result<Self, DirectedError> {
         if let [maps] = states.as_slice() {
             return Ok(Self::from(&Ifs::new(maps.iter().map(|part| part.map).collect())?));
         }
@@ -68,7 +85,7 @@ impl DirectedIfs {
     /// # Errors
     /// [`DirectedError`] where they are none, or the way round that scales most does not contract.
     pub fn refuse_obvious(states: &[Vec<DirectedMap>]) -> Result<(), DirectedError> {
-        check(states)?;
+        check(states, MAX_STATES)?;
         if let [maps] = states {
             Ifs::new(maps.iter().map(|part| part.map).collect())?;
             return Ok(());
@@ -190,12 +207,12 @@ impl From<&Ifs> for DirectedIfs {
 /// Numbers beyond this make products of maps overflow.
 const LARGEST_NUMBER: f64 = 1e100;
 
-fn check(states: &[Vec<DirectedMap>]) -> Result<(), DirectedError> {
+fn check(states: &[Vec<DirectedMap>], most: usize) -> Result<(), DirectedError> {
     let count = states.len();
     if count == 0 {
         return Err(DirectedError::NoStates);
     }
-    if count > MAX_STATES {
+    if count > most {
         return Err(DirectedError::TooManyStates { count });
     }
     for (state, maps) in states.iter().enumerate() {

@@ -20,6 +20,11 @@ export function WhereItStops() {
           ratio, exactly if the shift may be replaced by a fraction (Pedersen and Phillips 2014).
         </li>
         <li>
+          <strong>Fractions with large denominators.</strong> Kinds are as many as shifts that come back and
+          differ. Up to 1024 of them, with 8192 pieces in all, are found and drawn here; beyond that it stops,
+          and says so.
+        </li>
+        <li>
           <strong>Bases without a common power.</strong> Thirds and ninths have one grid, as the line by
           ninths shows: two steps are taken at once. Halves and thirds have none. There it is known that
           shapes share little: at most the dimension by which both together exceed the line (Furstenberg’s
