@@ -149,7 +149,7 @@ describe("graph-directed systems", () => {
     expect(facts([[half(0, 0, 0)], []])).toMatch(/^no-maps: State 2/);
     expect(facts([[half(4, 0, 0)]])).toMatch(/^state: .* copies state 5/);
     expect(facts([[{ from: 0, map: [1, 0, 0, 1, 0, 0] }]])).toMatch(/^no-attractor/);
-    expect(facts(new Array(65).fill([half(0, 0, 0)]))).toMatch(/^too-many-states/);
+    expect(facts(new Array(1025).fill([half(0, 0, 0)]))).toMatch(/^too-many-states/);
     expect(facts([new Array(1e6).fill(0)])).toMatch(/^too-many-maps: State 1/);
     expect(facts([[half(-1, 0, 0)]])).toMatch(/^bad-input/);
     expect(facts("none")).toMatch(/^bad-input/);

@@ -50,7 +50,7 @@ export function DirectedEvidence() {
         ))}
       </ol>
       {states.length > MOST_SHOWN && <p class="hint">… and {states.length - MOST_SHOWN} more.</p>}
-      {answer && <Remarks unreached={answer.facts.unreached} />}
+      {answer && <Remarks {...answer.facts} />}
     </EvidencePanel>
   );
 }

@@ -1,4 +1,4 @@
-import type { DirectedCertificate, DirectedMatch, StateConnectedness } from "#wasm/api";
+import type { DirectedCertificate, DirectedFacts, DirectedMatch, StateConnectedness } from "#wasm/api";
 import { wayWords } from "./words";
 
 /** What is known of the shape that is drawn. */
@@ -57,8 +57,26 @@ export function Way({ match, proof, apart = null, ended = false }: WayProps) {
   );
 }
 
-/** States that the shape is not made of. */
-export function Remarks({ unreached }: { unreached: readonly number[] }) {
+/** States that the shape is not made of, and those to which no way leads back. */
+export function Remarks({ unreached, neverReturn }: Pick<DirectedFacts, "unreached" | "neverReturn">) {
+  // The shape itself often is a union of others, as the snowflake of its sides.
+  const passing = neverReturn.filter((state) => state > 0 && !unreached.includes(state));
+  return (
+    <>
+      <Unseen unreached={unreached} />
+      {passing.length > 0 && (
+        <p class="hint">
+          {passing.length === 1 ? "State" : "States"} {passing.map((state) => state + 1).join(", ")} never{" "}
+          {passing.length === 1 ? "comes back to itself" : "come back to themselves"}: a union of copies of
+          other states, no more. To make it a fractal of its own, let a map copy it, or a state that is made
+          of it.
+        </p>
+      )}
+    </>
+  );
+}
+
+function Unseen({ unreached }: { unreached: readonly number[] }) {
   if (unreached.length === 0) return null;
   const names = unreached.map((state) => state + 1).join(", ");
   const [are, them] = unreached.length === 1 ? ["it is", "it"] : ["they are", "them"];

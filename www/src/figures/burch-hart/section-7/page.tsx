@@ -212,7 +212,7 @@ export function Page(heading: Heading) {
       {shown.system.states.length > MOST_SHOWN && (
         <p class={layout["hint"]}>… and {shown.system.states.length - MOST_SHOWN} more.</p>
       )}
-      {facts && <Remarks unreached={facts.facts.unreached} />}
+      {facts && <Remarks {...facts.facts} />}
     </Frame>
   );
 }
