@@ -641,7 +641,8 @@ export interface DirectedMap {
 
 /**
  * A graph-directed system: 1 to 64 states, each the union of 1 to 64 copies of states. State 0 is the shape that is
- * meant. An `Ifs` is the case of one state whose maps are all `from` 0.
+ * meant. An `Ifs` is the case of one state whose maps are all `from` 0. One that `gridIntersection` finds may have 1024
+ * states, which `directedFacts` and `rasterizeDirected` take.
  */
 export interface DirectedIfs {
   states: DirectedMap[][];
