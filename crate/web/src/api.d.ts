@@ -472,7 +472,8 @@ export interface Fit {
   graph?: Graph;
   /**
    * The last curve of the plane, in numbers: t, x, y of each point; of each piece cx, cxy, cyx, cy of its factor, and
-   * from which point to which it copies, from 0, backwards where the first is the larger: "0,0,0;..:0.5,0,0,0.5,0,2;..".
+   * from which point to which it copies, from 0, backwards where the first is the larger:
+   * "0,0,0;..:0.5,0,0,0.5,0,2;..".
    */
   plane?: string;
 }

@@ -87,8 +87,8 @@ struct Sampling {
 
 /// A curve as a polyline t0, x0, y0, t1, x1, y1, .. in the order of t. Between two points it stays within the tolerance
 /// of both, or as near to that as `most` points allow. Default: a thousandth of what the curve may reach, and 65,536
-/// points. With a window [x0, y0, x1, y1] only what may be seen there is followed, and a point of NaN stands in place of
-/// what is left out.
+/// points. With a window [x0, y0, x1, y1] only what may be seen there is followed, and a point of NaN stands in place
+/// of what is left out.
 #[wasm_bindgen(js_name = sampleInterpolationCurve)]
 pub fn sample_interpolation_curve(
     #[wasm_bindgen(unchecked_param_type = "PlaneGraph")] curve: JsValue,
