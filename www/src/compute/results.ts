@@ -68,6 +68,7 @@ export const publish = {
   window: signal<WindowResult | null>(null),
   verdict: signal<VerdictResult | null>(null),
   plan: signal<PathPlan | null>(null),
+  sought: signal(false),
   strip: signal<Frame[]>([]),
   standInFilm: signal<readonly Frame[]>([]),
   along: signal<Along | null>(null),
@@ -82,6 +83,8 @@ export const locusWindow: ReadonlySignal<WindowResult | null> = publish.window;
 export const verdict: ReadonlySignal<VerdictResult | null> = publish.verdict;
 /** The automatic path for the present pair. */
 export const plan: ReadonlySignal<PathPlan | null> = publish.plan;
+/** Whether the automatic path is still looked for, and another one stands in its place. */
+export const sought: ReadonlySignal<boolean> = publish.sought;
 export const strip: ReadonlySignal<Frame[]> = publish.strip;
 /** Stills of the morph of what stands in place of the systems, at even times. */
 export const standInFilm: ReadonlySignal<readonly Frame[]> = publish.standInFilm;
@@ -107,9 +110,9 @@ export const pathStates: ReadonlySignal<Uint8Array> = computed(() => {
   return field ? statesAlong(field, points) : new Uint8Array();
 });
 
-/** Stretches of the present path, in t, where it is broken for all to see. */
-export const pathBreaks: ReadonlySignal<Stretch[]> = computed(
-  () => along.value?.breaks ?? stretches(pathStates.value),
+/** Stretches of the present path, in t, where it is broken for all to see; none of one that only stands in. */
+export const pathBreaks: ReadonlySignal<Stretch[]> = computed(() =>
+  sought.value ? [] : (along.value?.breaks ?? stretches(pathStates.value)),
 );
 
 /** Whether the automatic path of the present pair is known to break, as far as this square goes. */

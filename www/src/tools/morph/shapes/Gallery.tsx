@@ -15,6 +15,7 @@ import { gallery } from "../dialogs";
 import { pick } from "../locus/path/way";
 import { shapes } from "../parts";
 import { bondWords, partnersOf } from "./partners";
+import { promise } from "./promised";
 
 /** The system at an end, if there is one: what takes part in the morph, and not what it stands in for. */
 function besideOf(end: "a" | "b"): Shape | null {
@@ -60,7 +61,12 @@ export function Gallery() {
       onChoose={(shape) => {
         const before = scene.peek();
         if (standIn.peek() === "directed") chooseSystem(end, shape);
-        else void editSystems((now) => choose(now, end, shape)).then(() => tellReplaced(before, end));
+        else {
+          void editSystems((now) => choose(now, end, shape)).then(() => {
+            tellReplaced(before, end);
+            promise(scene.peek(), partners.get(shape.preset ?? "") === "other");
+          });
+        }
         if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
         pick(null);
         announce(`Shape ${nameOf(end)} is now ${shape.name}.`);

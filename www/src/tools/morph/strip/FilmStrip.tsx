@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { type Frame, standInFilm, strip } from "#compute/results";
+import { type Frame, sought, standInFilm, strip } from "#compute/results";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
 import { percent } from "#format/path-words";
@@ -36,6 +36,7 @@ export function FilmStrip() {
   const list = useRef<HTMLOListElement>(null);
   const all = frames.value;
   const nearest = here.value;
+  const open = !standIn.value && sought.value;
 
   const walk = (event: KeyboardEvent) => {
     const to = { ArrowRight: nearest + 1, ArrowLeft: nearest - 1, Home: 0, End: all.length - 1 }[event.key];
@@ -50,9 +51,11 @@ export function FilmStrip() {
   return (
     <ol class="film" ref={list} onKeyDown={walk} aria-label="Film of the morph">
       {all.map((frame, index) => {
-        const broken = frame.verdict !== null && isBroken(stateOf(frame.verdict));
-        const mark = frame.verdict ? MARKS[frame.verdict.verdict] : undefined;
-        const known = frame.stale ? "picture in the making" : verdictPhrase(frame.verdict);
+        // Of a way that only stands in until one is found nothing is said.
+        const verdict = open ? null : frame.verdict;
+        const broken = verdict !== null && isBroken(stateOf(verdict));
+        const mark = verdict ? MARKS[verdict.verdict] : undefined;
+        const known = frame.stale ? "picture in the making" : verdictPhrase(verdict);
         const words = `${percent(frame.t)}: ${known}`;
         return (
           <li key={frame.t}>

@@ -3,7 +3,7 @@ import { PlayButton } from "#ui/strip/PlayButton";
 import "#ui/strip/strip.css";
 import "./strip.css";
 import { computed } from "@preact/signals";
-import { along, pathBreaks } from "#compute/results";
+import { along, pathBreaks, sought } from "#compute/results";
 import { locusView } from "#document/morph";
 import { loop, pause, play, playing, speed } from "#document/playback";
 import { endGesture, scene } from "#document/scene";
@@ -45,9 +45,12 @@ const offPath = computed(
   () => !standIn.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
 );
 
+/** Whether nothing is known of the path, since it is still looked for. */
+const open = computed(() => !standIn.value && sought.value);
+
 /** What is wrong with the path; what stands in place of the systems has none. */
 const faults = computed(() =>
-  standIn.value
+  standIn.value || open.value
     ? { breaks: [], worst: null }
     : { breaks: pathBreaks.value, worst: along.value?.worst ?? null },
 );
@@ -55,6 +58,7 @@ const faults = computed(() =>
 /** The moment in words, and what is known of it. */
 function timeWords(t: number): string {
   if (offPath.value) return `${percent(t)}; the picture is off the path`;
+  if (open.value) return `${percent(t)}; a way is being looked for`;
   return `${percent(t)}, ${standIn.value ? standInWords.value : stateNow()}`;
 }
 
@@ -64,7 +68,7 @@ function Scrub() {
   const { breaks, worst } = faults.value;
   return (
     <Slider
-      class={css["scrub"]}
+      class={`${css["scrub"]} ${open.value ? css["open"] : ""}`}
       label="Time"
       value={t}
       step={0.01}

@@ -1,15 +1,25 @@
+import { useEffect } from "preact/hooks";
 import { wayOf } from "#compute/plan";
 import { endBroken, type Offer, otherWays, type Search, stopLooking } from "#compute/ways";
-import { announce } from "#document/notice";
-import { edit } from "#document/scene";
+import { announce, notify } from "#document/notice";
+import { edit, scene, undo } from "#document/scene";
 import { offerWords, triedWords } from "#format/way-words";
 import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
+import { isPromised, kept } from "../../shapes/promised";
 import { takeWay } from "../../ways";
 
 /** Where the automatic path breaks: what else was tried by itself, and what came of it. */
 export function OtherWays() {
   const found = otherWays.value;
+  const best = found?.best;
+  useEffect(() => {
+    if (!best?.plan.holds || !isPromised(scene.peek())) return;
+    kept();
+    const { what } = offerWords(best.way, best.plan, 0);
+    take(best, what);
+    notify({ kind: "info", text: what, action: { label: "Undo", run: undo } });
+  }, [best]);
   if (endBroken.value)
     return (
       <p class="hint">One of the two shapes is itself in pieces, so that no way can hold from end to end.</p>
@@ -22,6 +32,11 @@ export function OtherWays() {
       {found.over && !found.best?.plan.holds && <p class="hint">{triedWords(found)}</p>}
     </div>
   );
+}
+
+function take({ way, plan }: Offer, words: string): void {
+  edit((before) => takeWay(before, way, wayOf(plan)));
+  announce(words);
 }
 
 function Progress({ search: { of, done } }: { search: Search }) {
@@ -48,13 +63,7 @@ function Found({ offer, gap }: { offer: Offer; gap: number }) {
       <span>
         <strong>{words.what}</strong> {words.why}
       </span>
-      <Button
-        description="One step, which can be undone"
-        onClick={() => {
-          edit((before) => takeWay(before, offer.way, wayOf(offer.plan)));
-          announce(words.what);
-        }}
-      >
+      <Button description="One step, which can be undone" onClick={() => take(offer, words.what)}>
         Use it
       </Button>
     </p>

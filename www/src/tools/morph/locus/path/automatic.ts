@@ -12,13 +12,13 @@ import {
   stopSearch,
   wayOf,
 } from "#compute/plan";
-import { plan as flatPlan } from "#compute/results";
+import { plan as flatPlan, publish } from "#compute/results";
 import { announce, notify, wordsOf } from "#document/notice";
 import { edit, replace, scene } from "#document/scene";
 import type { PathPlan } from "#wasm/api";
 
 /** The pair that the way points of an automatic path belong to. A link's own points are left as they were sent. */
-let settled: LocusInputs | null = null;
+const settledFor = signal<LocusInputs | null>(null);
 
 const wished = signal(false);
 /** Whether automatic paths may use the third parameter. */
@@ -28,13 +28,13 @@ export const third: ReadonlySignal<boolean> = wished;
 export function adoptPath(): void {
   const { path } = scene.peek();
   const whole = path.kind === "auto" && path.points.length > 0;
-  settled = whole ? morph.peek() : null;
+  settledFor.value = whole ? morph.peek() : null;
   wished.value = whole && leavesPlane(path.points);
 }
 
 function apply(plan: PathPlan, inputs: LocusInputs): void {
   const now = scene.peek();
-  if (now.path.kind !== "auto" || settled === inputs) return;
+  if (now.path.kind !== "auto" || settledFor.peek() === inputs) return;
   const points = wayOf(plan);
   if (!samePoints(points, now.path.points)) replace({ ...now, path: { kind: "auto", points } });
 }
@@ -49,14 +49,14 @@ function lookFurther(inputs: LocusInputs, asked: boolean): void {
         if (asked) announce("The third parameter does not help here.");
         wished.value = false;
         if (flat) {
-          settled = null;
+          settledFor.value = null;
           apply(flat, inputs);
-          settled = inputs;
+          settledFor.value = inputs;
         }
         return;
       }
       const change = { ...scene.peek(), path: { kind: "auto" as const, points } };
-      settled = inputs;
+      settledFor.value = inputs;
       if (asked) edit(() => change);
       else if (scene.peek().path.kind === "auto") replace(change);
     },
@@ -82,7 +82,7 @@ export function setThird(on: boolean): void {
   const flat = flatPlan.peek();
   const { path } = scene.peek();
   if (path.kind !== "auto" || !leavesPlane(path.points)) return;
-  settled = flat ? inputs : null;
+  settledFor.value = flat ? inputs : null;
   edit((before) => ({ ...before, path: { kind: "auto", points: flat ? wayOf(flat) : [] } }));
 }
 
@@ -94,13 +94,17 @@ export function watchAutomaticPath(): void {
     const plan = flatPlan.value;
     untracked(() => {
       if (kind === "auto" && before !== "auto") {
-        settled = null;
+        settledFor.value = null;
         if (plan && !wished.peek()) apply(plan, morph.peek());
       }
       before = kind;
       const looking = plan3.peek()?.plan === null;
       if (kind === "auto" && !looking) wished.value = leavesPlane(points);
     });
+  });
+  effect(() => {
+    // What breaks on a way that is only stood for is no fault of the one that is looked for.
+    publish.sought.value = scene.value.path.kind === "auto" && settledFor.value !== morph.value;
   });
   effect(() => {
     const now = planned.value;
@@ -110,8 +114,8 @@ export function watchAutomaticPath(): void {
 
 function take(plan: PathPlan, inputs: LocusInputs, whole: boolean): void {
   const auto = scene.peek().path.kind === "auto";
-  if (whole && auto && wished.peek() && settled !== inputs) lookFurther(inputs, false);
+  if (whole && auto && wished.peek() && settledFor.peek() !== inputs) lookFurther(inputs, false);
   // A path through three parameters stands until another one is found.
   if (!wished.peek()) apply(plan, inputs);
-  if (whole && auto) settled = inputs;
+  if (whole && auto) settledFor.value = inputs;
 }
