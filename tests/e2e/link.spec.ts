@@ -34,7 +34,10 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   await studio.idle();
   await page.getByRole("button", { name: "Share", exact: true }).click();
   const sheet = page.getByRole("dialog", { name: "Share" });
-  await expect(sheet.getByText("Link copied.")).toBeVisible();
+  // Nothing is copied before it is asked for.
+  await expect(sheet.getByText("Copied.", { exact: true })).toHaveCount(0);
+  await sheet.getByRole("button", { name: "Copy", exact: true }).click();
+  await expect(sheet.getByText("Copied.", { exact: true })).toBeVisible();
   const shared = await page.evaluate(() => navigator.clipboard.readText());
   const mine = [await studio.scene(), await studio.look()];
   // As it stands; but whoever opens it sees it move once.

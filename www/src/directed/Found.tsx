@@ -52,6 +52,9 @@ export function Way({ match, proof, apart = null, ended = false }: WayProps) {
       {match?.steps.map((step) => (
         <p key={step}>{step}</p>
       ))}
+      {match && match.states.length > 1 && (
+        <p>On the way it has {match.states.length} states, each a pair of those at its ends.</p>
+      )}
       {match && <p role="status">{wayWords({ proof, apart, ended })}</p>}
     </>
   );

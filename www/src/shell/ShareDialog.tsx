@@ -11,6 +11,7 @@ import { Dialog } from "#ui/overlay/Dialog";
 import { QrCode } from "#ui/overlay/QrCode";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { link } from "./actions";
+import { moving } from "./moving";
 import { AUTOPLAY, type Moves } from "./publish/folder";
 import { Publish } from "./publish/Publish";
 import css from "./share.module.css";
@@ -34,19 +35,20 @@ const leave = (from: "share" | "publish", to: "share" | null) => () => {
 };
 const close = leave("share", null);
 
-/** What somebody is sent: a link, copied at once, as a QR code, or by what the system has for it. */
+/** What somebody is sent: a link, as a QR code, or by what the system has for it. What plays stands still meanwhile. */
 export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefined }) {
   const [start, setStart] = useState<(typeof STARTS)[number]["value"]>("here");
   const [moves, setMoves] = useState<Moves>(openedTool().tool?.timeline ? "once" : "still");
   const [told, setTold] = useState("");
   const [seen, setSeen] = useState("");
+  // Once it stands, the address is read again.
+  const [, setStood] = useState(false);
   const address = addressWith(start, moves);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: once, for the link as it is first
   useEffect(() => {
-    // The address bar has the same.
-    if (link.flush() && address !== null) {
-      void copy(address).then((words) => setTold(words === COPIED ? "Link copied." : words));
-    }
+    // What is sent is what is seen, and the address bar has the same.
+    if (moving()) openedTool().tool?.timeline?.toggle();
+    link.flush();
+    setStood(true);
     void seenWords().then(setSeen);
   }, []);
   if (address === null) {

@@ -65,6 +65,8 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
           {Stage && <Stage backend={backend} />}
         </section>
       )}
+      {/* Under the picture, and before all else for who comes by keys. */}
+      <div class="time">{Strip && <Strip />}</div>
       <aside class="side" aria-label={entry.side}>
         {sheet && (
           <a class={css["back"]} href={sheet}>
@@ -73,7 +75,6 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
         )}
         {Panel && <Panel />}
       </aside>
-      <div class="time">{Strip && <Strip />}</div>
       {help.value && <Help commands={commands} />}
       {exportOpen.value && <Exports />}
       {/* Tools that take files are fetched themselves: it comes with them. */}

@@ -6,7 +6,8 @@ import { reducedMotion } from "#document/preferences";
 import type { Timeline } from "#ui/strip/timeline";
 import { openedTool } from "./tools";
 
-const moving = () => playing.peek() || phasePlaying.peek() || spacePlaying.peek();
+/** Whether something plays. */
+export const moving = () => playing.peek() || phasePlaying.peek() || spacePlaying.peek();
 
 /**
  * Plays as soon as its tool is there; not for those who want less motion. Once is there and back, so that it ends as it

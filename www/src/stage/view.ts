@@ -53,14 +53,36 @@ function sizeOr(size: Size): Size {
 }
 
 const EASE_MS = 220;
+/** What has been dragged and is nearer to the edge of the stage than this, in pixels, has left it. */
+const EDGE = 12;
+
+/** Whether all of a box is to be seen where another one is fitted, and no smaller than half as large. */
+function seenIn(fit: Box, box: Box): boolean {
+  const { width, height } = stageSize.peek();
+  const { x, y, scale } = fitOnStage(fit);
+  const [across, up] = [(width / 2 - EDGE) / scale, (height / 2 - EDGE) / scale];
+  const low = y - up + (FOOT - EDGE) / scale;
+  const inside = box.x0 >= x - across && box.x1 <= x + across && box.y0 >= low && box.y1 <= y + up;
+  return (
+    inside && Math.max(box.x1 - box.x0, box.y1 - box.y0) > 0.5 * Math.max(fit.x1 - fit.x0, fit.y1 - fit.y0)
+  );
+}
 
 /** Keeps the fitted track on its way to where it should be. Returns the end of it. */
 export function followFit(start: (tick: (now: number) => boolean) => () => void): () => void {
   let stop = () => {};
+  let dragged = false;
   const unsubscribe = computed(() => ({ track: stageTrack.value, held: inGesture.value })).subscribe(
     ({ track, held }) => {
       const from = fitted.peek();
-      if (held && from) return;
+      if (held && from) {
+        dragged = true;
+        return;
+      }
+      const own = dragged && scene.peek().tool === "deform";
+      dragged = false;
+      // The grid stays under the hand that has bent it, as long as it is seen.
+      if (own && from && seenIn(boxAt(from, t.peek()), boxAt(track, t.peek()))) return;
       stop();
       if (!from || reducedMotion.peek() || view.peek()) {
         fitted.value = track;

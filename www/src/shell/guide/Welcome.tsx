@@ -2,7 +2,6 @@ import { reducedMotion } from "#document/preferences";
 import { scene } from "#document/scene";
 import { endsOf } from "#document/stand-in";
 import { tool } from "#document/tool";
-import { percent } from "#format/path-words";
 import { Button, IconButton } from "#ui/controls/Button";
 import css from "./guide.module.css";
 import { at, goRound, greeted, greeting, rested } from "./state";
@@ -14,8 +13,8 @@ export function Welcome() {
   return (
     <aside class={css["greeting"]} aria-label="Welcome">
       <p>
-        {kind === "sent" ? sentWords() : <strong>{WHAT}</strong>}{" "}
-        {kind === "new" && !reducedMotion.value && <Rested />}
+        {kind === "sent" ? sentWords() : <strong>{WHAT}</strong>}
+        {kind === "new" && <Seen />}
       </p>
       <div class={css["ways"]}>
         <Button kind="primary" onClick={goRound}>
@@ -47,12 +46,19 @@ function sentWords() {
   );
 }
 
-/** Its room is kept, so that nothing moves when it comes. */
-function Rested() {
-  const now = rested.value;
+/** What is seen of it just now: as long before as after, so that nothing moves. */
+function Seen() {
   return (
-    <span class={css["rested"]} role="status">
-      {now && `It stopped at ${percent(scene.value.t)} of the way: press play to go on.`}
+    <span class={css["seen"]} role="status">
+      {seenWords()}
     </span>
   );
+}
+
+function seenWords(): string {
+  const { a, b } = endsOf(scene.value);
+  if (rested.value) return `It is ${b.name} now. Press play to see it again.`;
+  return reducedMotion.value
+    ? `Press play: ${a.name} turns into ${b.name}.`
+    : `See how ${a.name} turns into ${b.name}.`;
 }

@@ -2,7 +2,7 @@
 import { effect } from "@preact/signals";
 import { h, render } from "preact";
 import { route } from "#document/link";
-import { play, playing } from "#document/playback";
+import { play, playing, setT } from "#document/playback";
 import { reducedMotion } from "#document/preferences";
 import { lastStep, scene } from "#document/scene";
 import { inHand, moveBySelf } from "../moving";
@@ -14,14 +14,15 @@ import { greeting, rested } from "./state";
 import { STEPS } from "./steps";
 import { Welcome } from "./Welcome";
 
-/** How far the morph of a first visit plays: a shape on the way, in one piece. */
-const FAR = 0.4;
-
 /** `hash` is what the page was opened with: a document in it was sent by somebody. */
 export function beGuided(hash: string): void {
   const host = document.createElement("div");
   document.body.append(host);
   render(h(Guide, null), host);
+  // The room that the page has kept for the word of welcome.
+  effect(() => {
+    document.documentElement.toggleAttribute("data-first", greeting.value !== null);
+  });
   if (route.peek().page !== "studio" || seen(STEPS.length) !== null || lastStep()) return;
   const [visit] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
   const sent = hash.length > 1;
@@ -30,7 +31,7 @@ export function beGuided(hash: string): void {
   greeting.value = sent ? "sent" : "new";
   welcome();
   if (!sent) {
-    if (!reducedMotion.peek()) playALittle();
+    if (!reducedMotion.peek()) playOnce();
   } else if (readParameters(location.search).play === null) moveBySelf("once");
 }
 
@@ -42,13 +43,23 @@ function welcome(): void {
   render(h(Welcome, null), place);
 }
 
-/** Shows that it moves, and stops; at once where somebody takes it in hand. */
-function playALittle(): void {
+/** Shows all of the way, once, and stops at its end; at once where somebody takes it in hand. */
+function playOnce(): void {
   play();
+  let far = scene.peek().t;
   const stop = effect(() => {
-    if (scene.value.t < FAR && playing.value) return;
-    rested.value = playing.value;
-    queueMicrotask(end);
+    const { t } = scene.value;
+    // What plays turns back at the end.
+    if (t >= far && t < 1 && playing.value) {
+      far = t;
+      return;
+    }
+    const arrived = playing.value;
+    queueMicrotask(() => {
+      end();
+      if (arrived) setT(1);
+      rested.value = arrived;
+    });
   });
   const release = inHand(end);
   function end() {

@@ -7,7 +7,7 @@ import { STEPS } from "./steps";
 
 /** The sentence of a first visit: to Frond, or to what somebody sent. */
 export const greeting = signal<"new" | "sent" | null>(null);
-/** Whether what moved by itself has come to rest on the way. */
+/** Whether what moved by itself has arrived. */
 export const rested = signal(false);
 /** The step of the round that one is at; null where there is none. */
 export const at = signal<number | null>(null);
