@@ -152,9 +152,9 @@ const isNarrow = () => innerWidth < 760;
 
 function cardOf(place: Rect | null, evidence: boolean) {
   if (isNarrow()) {
-    // Over the picture only where it would hide the control, or what was opened by it.
+    // Over the header, and as little of the picture as can be, where it would hide the control, or what that opened.
     const hides = place !== null && place.top + place.height > innerHeight - CARD.height;
-    return hides || evidence ? { top: "4rem" } : { bottom: "1rem" };
+    return hides || evidence ? { top: "max(0.5rem, env(safe-area-inset-top))" } : { bottom: "1rem" };
   }
   if (!place) return {};
   const { width, height, free } = CARD;
