@@ -5,7 +5,13 @@ import { isPromised, kept, promise } from "./promised";
 it("is about the pair that was chosen, as it came, and is kept once", () => {
   const now = scene.peek();
   const ends = { a: { ...now.a, preset: "fern" }, b: { ...now.b, preset: "tree" } };
-  const auto = { ...now, ...ends, path: { kind: "auto" as const, points: [] }, correspondence: [], turns: [] };
+  const auto = {
+    ...now,
+    ...ends,
+    path: { kind: "auto" as const, points: [] },
+    correspondence: [],
+    turns: [],
+  };
   expect(isPromised(auto)).toBe(false);
   promise(auto, false);
   expect(isPromised(auto)).toBe(false);

@@ -12,14 +12,17 @@ import { takeWay } from "../../ways";
 /** Where the automatic path breaks: what else was tried by itself, and what came of it. */
 export function OtherWays() {
   const found = otherWays.value;
-  const best = found?.best;
+  const { best, over } = found ?? {};
   useEffect(() => {
-    if (!best?.plan.holds || !isPromised(scene.peek())) return;
+    if (!isPromised(scene.peek())) return;
+    // What was promised is not found in the time that there is.
+    if (over && !best?.plan.holds) kept();
+    if (!best?.plan.holds) return;
     kept();
     const { what } = offerWords(best.way, best.plan, 0);
     take(best, what);
     notify({ kind: "info", text: what, action: { label: "Undo", run: undo } });
-  }, [best]);
+  }, [best, over]);
   if (endBroken.value)
     return (
       <p class="hint">One of the two shapes is itself in pieces, so that no way can hold from end to end.</p>
