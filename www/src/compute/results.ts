@@ -69,6 +69,7 @@ export const publish = {
   verdict: signal<VerdictResult | null>(null),
   plan: signal<PathPlan | null>(null),
   sought: signal(false),
+  promised: signal(false),
   strip: signal<Frame[]>([]),
   standInFilm: signal<readonly Frame[]>([]),
   along: signal<Along | null>(null),
@@ -83,8 +84,8 @@ export const locusWindow: ReadonlySignal<WindowResult | null> = publish.window;
 export const verdict: ReadonlySignal<VerdictResult | null> = publish.verdict;
 /** The automatic path for the present pair. */
 export const plan: ReadonlySignal<PathPlan | null> = publish.plan;
-/** Whether the automatic path is still looked for, and another one stands in its place. */
-export const sought: ReadonlySignal<boolean> = publish.sought;
+/** Whether the automatic path is still looked for, or another that is known to hold, and one stands in its place. */
+export const sought: ReadonlySignal<boolean> = computed(() => publish.sought.value || publish.promised.value);
 export const strip: ReadonlySignal<Frame[]> = publish.strip;
 /** Stills of the morph of what stands in place of the systems, at even times. */
 export const standInFilm: ReadonlySignal<readonly Frame[]> = publish.standInFilm;

@@ -16,7 +16,7 @@ export const stageSize = signal<Size>({ width: 0, height: 0 });
 
 /** Free on each side as a part of the shorter one, and below as many pixels more: the verdict stands there. */
 const MARGIN = 0.06;
-const FOOT = 44;
+export const FOOT = 44;
 const GRIP = 16;
 /** The track that the fit shows: it follows the document, but not while something is dragged, and without a jump. */
 const fitted = signal<Track | null>(null);
@@ -36,7 +36,8 @@ export const fitView: ReadonlySignal<View> = computed(() =>
 /** The view that fits both ends: zooms are kept relative to it, so that a link means the same at every moment. */
 export const baseView: ReadonlySignal<View> = computed(() => fitOnStage(pairBox.value));
 
-function fitOnStage(box: Box, left = 0, foot = FOOT): View {
+/** The view that fits a box to the stage, with so much free at its sides. */
+export function fitOnStage(box: Box, left = 0, foot = FOOT): View {
   const size = sizeOr(stageSize.value);
   const edge = MARGIN * Math.min(size.width, size.height);
   return fitFor(box, size, { top: edge, right: edge, bottom: edge + foot, left: edge + left });
@@ -53,20 +54,8 @@ function sizeOr(size: Size): Size {
 }
 
 const EASE_MS = 220;
-/** What has been dragged and is nearer to the edge of the stage than this, in pixels, has left it. */
-const EDGE = 12;
-
-/** Whether all of a box is to be seen where another one is fitted, and no smaller than half as large. */
-function seenIn(fit: Box, box: Box): boolean {
-  const { width, height } = stageSize.peek();
-  const { x, y, scale } = fitOnStage(fit);
-  const [across, up] = [(width / 2 - EDGE) / scale, (height / 2 - EDGE) / scale];
-  const low = y - up + (FOOT - EDGE) / scale;
-  const inside = box.x0 >= x - across && box.x1 <= x + across && box.y0 >= low && box.y1 <= y + up;
-  return (
-    inside && Math.max(box.x1 - box.x0, box.y1 - box.y0) > 0.5 * Math.max(fit.x1 - fit.x0, fit.y1 - fit.y0)
-  );
-}
+/** A tool may keep what is fitted after a drag, where it sees all of another box, too. */
+export const afterDrag: { keeps: ((fit: Box, box: Box) => boolean) | null } = { keeps: null };
 
 /** Keeps the fitted track on its way to where it should be. Returns the end of it. */
 export function followFit(start: (tick: (now: number) => boolean) => () => void): () => void {
@@ -79,10 +68,9 @@ export function followFit(start: (tick: (now: number) => boolean) => () => void)
         dragged = true;
         return;
       }
-      const own = dragged && scene.peek().tool === "deform";
+      const kept = dragged && from && afterDrag.keeps?.(boxAt(from, t.peek()), boxAt(track, t.peek()));
       dragged = false;
-      // The grid stays under the hand that has bent it, as long as it is seen.
-      if (own && from && seenIn(boxAt(from, t.peek()), boxAt(track, t.peek()))) return;
+      if (kept) return;
       stop();
       if (!from || reducedMotion.peek() || view.peek()) {
         fitted.value = track;

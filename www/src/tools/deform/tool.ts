@@ -7,6 +7,7 @@ import { commands, timeline } from "./commands";
 import { films } from "./film";
 import { DeformPanel } from "./index";
 import { DeformOverlay } from "./mesh/Overlay";
+import "./mesh/seen";
 import { DeformStrip } from "./strip/DeformStrip";
 import { openPhotograph } from "./subject";
 

@@ -1,5 +1,7 @@
 /** A pair that the gallery says holds by another way: that way is taken as soon as it is found. */
-import { signal } from "@preact/signals";
+import { effect, signal } from "@preact/signals";
+import { along, plan, publish } from "#compute/results";
+import { scene } from "#document/scene";
 import type { Scene } from "#wasm/api";
 
 type Pair = Pick<Scene, "a" | "b">;
@@ -26,3 +28,9 @@ export function isPromised(now: Scene): boolean {
 export function kept(): void {
   promised.value = null;
 }
+
+// Until it is found, what breaks on the way that stands there is no fault of this pair.
+effect(() => {
+  const breaks = plan.value?.holds === false && along.value?.breaks.length !== 0;
+  publish.promised.value = breaks && isPromised(scene.value);
+});

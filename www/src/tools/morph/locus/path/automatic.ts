@@ -12,11 +12,10 @@ import {
   stopSearch,
   wayOf,
 } from "#compute/plan";
-import { along, plan as flatPlan, publish } from "#compute/results";
+import { plan as flatPlan, publish } from "#compute/results";
 import { announce, notify, wordsOf } from "#document/notice";
 import { edit, replace, scene } from "#document/scene";
 import type { PathPlan } from "#wasm/api";
-import { isPromised } from "../../shapes/promised";
 
 /** The pair that the way points of an automatic path belong to. A link's own points are left as they were sent. */
 const settledFor = signal<LocusInputs | null>(null);
@@ -71,12 +70,6 @@ function lookFurther(inputs: LocusInputs, asked: boolean): void {
   });
 }
 
-/** Whether the gallery has said that another way holds, which is to be found yet. */
-function promisedNow(): boolean {
-  const holds = flatPlan.value?.holds !== false || along.value?.breaks.length === 0;
-  return !holds && isPromised(scene.value);
-}
-
 /** Lets the automatic path use the third parameter, or keeps it in the plane. */
 export function setThird(on: boolean): void {
   wished.value = on;
@@ -111,8 +104,7 @@ export function watchAutomaticPath(): void {
   });
   effect(() => {
     // What breaks on a way that is only stood for is no fault of the one that is looked for.
-    const open = scene.value.path.kind === "auto" && settledFor.value !== morph.value;
-    publish.sought.value = open || promisedNow();
+    publish.sought.value = scene.value.path.kind === "auto" && settledFor.value !== morph.value;
   });
   effect(() => {
     const now = planned.value;
