@@ -2,6 +2,7 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { pathPoints } from "#document/morph";
 import { scene } from "#document/scene";
+import { standIn } from "#document/stand-in";
 import type { Told } from "#format/verdict";
 import { type Stretch, statesAlong, stretches, type Worst } from "#geometry/states";
 import type { Bounds, Connectedness, Locus, PathPlan, PathPoint } from "#wasm/api";
@@ -85,7 +86,9 @@ export const verdict: ReadonlySignal<VerdictResult | null> = publish.verdict;
 /** The automatic path for the present pair. */
 export const plan: ReadonlySignal<PathPlan | null> = publish.plan;
 /** Whether the automatic path is still looked for, or another that is known to hold, and one stands in its place. */
-export const sought: ReadonlySignal<boolean> = computed(() => publish.sought.value || publish.promised.value);
+export const sought: ReadonlySignal<boolean> = computed(
+  () => !standIn.value && (publish.sought.value || publish.promised.value),
+);
 export const strip: ReadonlySignal<Frame[]> = publish.strip;
 /** Stills of the morph of what stands in place of the systems, at even times. */
 export const standInFilm: ReadonlySignal<readonly Frame[]> = publish.standInFilm;

@@ -8,6 +8,7 @@ const gallery = () => import("./shapes/Gallery").then((module) => module.Gallery
 const maps = () => import("./maps/MapEditor").then((module) => module.MapEditor);
 const motion = () => import("./MotionPanel").then((module) => module.MotionPanel);
 const pairs = () => import("./pairs/Pairs").then((module) => module.PairsDetail);
+const pairWords = () => import("./pairs/PairWords").then((module) => module.PairWords);
 const familyLines = () => import("./locus/families/FamilyLines").then((module) => module.FamilyLines);
 const familyStrip = () => import("./locus/families/FamilyStrip").then((module) => module.FamilyStrip);
 const otherWays = () => import("./locus/path/OtherWays").then((module) => module.OtherWays);
@@ -22,6 +23,7 @@ export const Gallery = lazily(gallery);
 export const MapEditor = lazily(maps);
 export const MotionPanel = lazily(motion);
 export const Pairs = lazily(pairs);
+export const PairWords = lazily(pairWords);
 export const FamilyLines = lazily(familyLines);
 export const FamilyStrip = lazily(familyStrip);
 export const OtherWays = lazily(otherWays);
@@ -39,6 +41,7 @@ export const fetchAhead = () =>
     maps(),
     motion(),
     pairs(),
+    pairWords(),
     familyLines(),
     familyNotes(),
     familyStrip(),

@@ -1,37 +1,16 @@
 import "#ui/panel/fold.css";
 import { pairing } from "#document/morph";
-import { listWords } from "#format/path-words";
-import { Button } from "#ui/controls/Button";
 import { flatPairs } from "../changes";
-import { openRoutes, pairsOpen } from "../dialogs";
-import { Pairs } from "../later";
+import { pairsOpen } from "../dialogs";
+import { Pairs, PairWords } from "../later";
 import { correspondence } from "../parts";
 import css from "./pairs.module.css";
 
-/** What had to be done so that each map has one to become, and what that costs. */
+/** What had to be done so that each map has one to become, and what that costs; most pairs have nothing of it. */
 export function PairNotes() {
   const { from, to, steps } = pairing.value;
   const flat = flatPairs(from, to, correspondence.value);
-  if (steps.length === 0 && flat.length === 0) return null;
-  return (
-    <div class={`notes ${css["pair-notes"]}`}>
-      {steps.map((step) => (
-        <p key={step}>{step}</p>
-      ))}
-      {flat.length > 0 && (
-        <>
-          <p>
-            {flat.length === 1 ? "Map" : "Maps"} {listWords(flat.map(String))}{" "}
-            {flat.length === 1 ? "turns over on the way, so it" : "turn over on the way, so each"} must pass
-            through a flat state.
-          </p>
-          <Button kind="quiet" onClick={openRoutes}>
-            Other ways across
-          </Button>
-        </>
-      )}
-    </div>
-  );
+  return steps.length + flat.length > 0 ? <PairWords steps={steps} flat={flat} /> : null;
 }
 
 /** Which map becomes which: as it is, by hand, and what else there is. */

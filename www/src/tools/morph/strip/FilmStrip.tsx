@@ -36,7 +36,6 @@ export function FilmStrip() {
   const list = useRef<HTMLOListElement>(null);
   const all = frames.value;
   const nearest = here.value;
-  const open = !standIn.value && sought.value;
 
   const walk = (event: KeyboardEvent) => {
     const to = { ArrowRight: nearest + 1, ArrowLeft: nearest - 1, Home: 0, End: all.length - 1 }[event.key];
@@ -52,7 +51,7 @@ export function FilmStrip() {
     <ol class="film" ref={list} onKeyDown={walk} aria-label="Film of the morph">
       {all.map((frame, index) => {
         // Of a way that only stands in until one is found nothing is said.
-        const verdict = open ? null : frame.verdict;
+        const verdict = sought.value ? null : frame.verdict;
         const broken = verdict !== null && isBroken(stateOf(verdict));
         const mark = verdict ? MARKS[verdict.verdict] : undefined;
         const known = frame.stale ? "picture in the making" : verdictPhrase(verdict);

@@ -45,12 +45,9 @@ const offPath = computed(
   () => !standIn.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
 );
 
-/** Whether nothing is known of the path, since it is still looked for. */
-const open = computed(() => !standIn.value && sought.value);
-
 /** What is wrong with the path; what stands in place of the systems has none. */
 const faults = computed(() =>
-  standIn.value || open.value
+  standIn.value || sought.value
     ? { breaks: [], worst: null }
     : { breaks: pathBreaks.value, worst: along.value?.worst ?? null },
 );
@@ -58,7 +55,7 @@ const faults = computed(() =>
 /** The moment in words, and what is known of it. */
 function timeWords(t: number): string {
   if (offPath.value) return `${percent(t)}; the picture is off the path`;
-  if (open.value) return `${percent(t)}; a way is being looked for`;
+  if (sought.value) return `${percent(t)}; a way is being looked for`;
   return `${percent(t)}, ${standIn.value ? standInWords.value : stateNow()}`;
 }
 
@@ -68,7 +65,7 @@ function Scrub() {
   const { breaks, worst } = faults.value;
   return (
     <Slider
-      class={`${css["scrub"]} ${open.value ? css["open"] : ""}`}
+      class={`${css["scrub"]} ${sought.value ? css["open"] : ""}`}
       label="Time"
       value={t}
       step={0.01}

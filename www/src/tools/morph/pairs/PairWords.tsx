@@ -1,0 +1,34 @@
+import { listWords } from "#format/path-words";
+import { Button } from "#ui/controls/Button";
+import { openRoutes } from "../dialogs";
+import css from "./pairs.module.css";
+
+interface PairWordsProps {
+  /** What had to be done, in sentences. */
+  steps: readonly string[];
+  /** The numbers of the maps that turn over. */
+  flat: readonly number[];
+}
+
+/** What is said of a pair whose maps do not simply become each other. */
+export function PairWords({ steps, flat }: PairWordsProps) {
+  return (
+    <div class={`notes ${css["pair-notes"]}`}>
+      {steps.map((step) => (
+        <p key={step}>{step}</p>
+      ))}
+      {flat.length > 0 && (
+        <>
+          <p>
+            {flat.length === 1 ? "Map" : "Maps"} {listWords(flat.map(String))}{" "}
+            {flat.length === 1 ? "turns over on the way, so it" : "turn over on the way, so each"} must pass
+            through a flat state.
+          </p>
+          <Button kind="quiet" onClick={openRoutes}>
+            Other ways across
+          </Button>
+        </>
+      )}
+    </div>
+  );
+}
