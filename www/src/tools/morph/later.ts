@@ -9,6 +9,7 @@ const maps = () => import("./maps/MapEditor").then((module) => module.MapEditor)
 const motion = () => import("./MotionPanel").then((module) => module.MotionPanel);
 const pairs = () => import("./pairs/Pairs").then((module) => module.PairsDetail);
 const pairWords = () => import("./pairs/PairWords").then((module) => module.PairWords);
+const wayElse = () => import("./locus/path/WayElse").then((module) => module.WayElse);
 const familyLines = () => import("./locus/families/FamilyLines").then((module) => module.FamilyLines);
 const familyStrip = () => import("./locus/families/FamilyStrip").then((module) => module.FamilyStrip);
 const otherWays = () => import("./locus/path/OtherWays").then((module) => module.OtherWays);
@@ -24,6 +25,7 @@ export const MapEditor = lazily(maps);
 export const MotionPanel = lazily(motion);
 export const Pairs = lazily(pairs);
 export const PairWords = lazily(pairWords);
+export const WayElse = lazily(wayElse);
 export const FamilyLines = lazily(familyLines);
 export const FamilyStrip = lazily(familyStrip);
 export const OtherWays = lazily(otherWays);
@@ -42,6 +44,7 @@ export const fetchAhead = () =>
     motion(),
     pairs(),
     pairWords(),
+    wayElse(),
     familyLines(),
     familyNotes(),
     familyStrip(),

@@ -1,21 +1,20 @@
 import { computed, useComputed } from "@preact/signals";
 import { certified, certify, stopCertifying } from "#compute/certify";
 import { leavesPlane, plan3, wayOf } from "#compute/plan";
-import { along, locus, pathStates, plan, stuck } from "#compute/results";
+import { along, locus, pathStates, plan, sought, stuck } from "#compute/results";
 import { locusView, pathPoints } from "#document/morph";
 import { edit } from "#document/scene";
-import { bestWords, certifiedWords, pathWords, roomWords } from "#format/path-words";
+import { certifiedWords, pathWords, roomWords } from "#format/path-words";
 import { widestAlong } from "#geometry/polyline";
 import { clearanceOf, isBroken, STATE } from "#geometry/states";
 import { PathSection, WayPointEditor } from "#stage/locus/PathEditor";
 import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
-import { Switch } from "#ui/controls/Switch";
 import type { PathKind } from "#wasm/api";
 import { workers } from "#workers/pool/engine";
-import { openMatching, openRoutes } from "../../dialogs";
+import { WayElse } from "../../later";
 import { mode, pathKind } from "../../parts";
-import { setThird, third } from "./automatic";
+import { third } from "./automatic";
 import { PATH } from "./handles";
 import { bounds, MOST_W, showW, thirdShown } from "./way";
 
@@ -62,12 +61,14 @@ function PathVerdict() {
     return field && field.progress === 1 ? clearanceOf(field, points) : null;
   });
   const proof = certified.value;
-  const words = pathWords({
-    states: pathStates.value,
-    widest: widest.value ?? 0,
-    proved: proof?.holds === true && proof.done === proof.parts && proof.gap === 0,
-    progress: along.value ? 1 : (locus.value?.progress ?? 0),
-  });
+  const words = sought.value
+    ? "Looking for a way …"
+    : pathWords({
+        states: pathStates.value,
+        widest: widest.value ?? 0,
+        proved: proof?.holds === true && proof.done === proof.parts && proof.gap === 0,
+        progress: along.value ? 1 : (locus.value?.progress ?? 0),
+      });
   const breaks = breaksSeen.value || breaksHidden.value;
   return (
     <p class={`path-verdict ${breaks ? "broken" : "whole"}`}>
@@ -80,45 +81,14 @@ function PathVerdict() {
 }
 
 /** Whether the path is known to break: for all to see, or by a gap that only a proof shows. */
-const breaksSeen = computed(() => pathStates.value.some(isBroken));
-const breaksHidden = computed(() => pathStates.value.includes(STATE.hidden));
+const breaksSeen = computed(() => !sought.value && pathStates.value.some(isBroken));
+const breaksHidden = computed(() => !sought.value && pathStates.value.includes(STATE.hidden));
 
 /** Where the automatic path cannot hold: says so, and what else there is. */
 function NoWay() {
-  const found = plan.value;
-  const looking = plan3.value !== null && plan3.value.plan === null;
   // Who has met the third parameter may choose it; nobody else has to know of it while the plane has a path.
   const met = locusView.value.w !== 0 || thirdShown.value;
-  if (!(third.value || looking || stuck.value || met)) return null;
-  const best = plan3.value?.plan ?? found;
-  const inVain = plan3.value?.plan != null && !third.value;
-  return (
-    <div class={pathCss["path-else"]}>
-      {stuck.value && !looking && (
-        <p class="hint">{bestWords(best?.apart === true, plan3.value?.plan != null)}</p>
-      )}
-      {mode.value === "polar" && (
-        <Switch
-          checked={third.value}
-          onChange={setThird}
-          description="The stretch may run ahead of the turn, or behind it: a path through three parameters"
-        >
-          {looking ? "With a third parameter: looking …" : "With a third parameter"}
-        </Switch>
-      )}
-      {inVain && <p class="hint">The third parameter does not help here.</p>}
-      {stuck.value && (
-        <div class={pathCss["path-offers"]}>
-          <Button kind="quiet" onClick={openMatching}>
-            Other ways to match
-          </Button>
-          <Button kind="quiet" onClick={openRoutes}>
-            Other ways across
-          </Button>
-        </div>
-      )}
-    </div>
-  );
+  return third.value || plan3.value?.plan === null || stuck.value || met ? <WayElse /> : null;
 }
 
 function AskThird() {
