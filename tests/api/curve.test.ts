@@ -72,7 +72,7 @@ beforeAll(() =>
 describe("closed curves", () => {
   it("come with a gallery that packs and comes back", () => {
     const presets = frond.curvePresets();
-    expect(presets.map(({ id }) => id)).toEqual(["maple", "oak", "snowflake", "island"]);
+    expect(presets.map(({ id }) => id)).toEqual(["sugar-maple", "white-oak", "snowflake", "island"]);
     for (const { curve, about } of presets) {
       expect(about.length).toBeGreaterThan(20);
       const text = frond.packCurve(curve);
@@ -177,7 +177,9 @@ describe("closed curves", () => {
 describe("a morph of closed curves", () => {
   it("is the first at 0 and the second at 1", () => {
     const presets = frond.curvePresets();
-    const [maple, oak] = ["maple", "oak"].map((id) => presets.find((one) => one.id === id)?.curve as Curve);
+    const [maple, oak] = ["sugar-maple", "white-oak"].map(
+      (id) => presets.find((one) => one.id === id)?.curve as Curve,
+    );
     if (!maple || !oak) throw new Error("leaves are missing");
     const morph = new frond.CurveMorph(maple, oak);
     for (const [s, curve] of [

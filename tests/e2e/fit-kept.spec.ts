@@ -34,8 +34,8 @@ test("a fit is kept, opened again without fitting anew, named, pinned, removed a
   const rms = await page.getByTestId("rms").textContent();
 
   await test.step("another one takes its place, and it comes back with its outline", async () => {
-    await page.getByRole("button", { name: "Oak-like leaf" }).click();
-    await expect(card(page)).toHaveText("Oak-like leaf");
+    await page.getByRole("button", { name: "Oak leaf" }).click();
+    await expect(card(page)).toHaveText("Oak leaf");
     await tool.fitted();
     await shelf(page).getByRole("button", { name: "Open leaf" }).click();
     await expect(card(page)).toHaveText("leaf");
@@ -47,7 +47,7 @@ test("a fit is kept, opened again without fitting anew, named, pinned, removed a
 
   await test.step("and goes again", async () => {
     await page.getByRole("button", { name: "Undo", exact: true }).click();
-    await expect(card(page)).toHaveText("Oak-like leaf");
+    await expect(card(page)).toHaveText("Oak leaf");
     await page.getByRole("button", { name: "Redo", exact: true }).click();
     await expect(card(page)).toHaveText("leaf");
     await tool.fitted();

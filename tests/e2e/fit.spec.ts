@@ -21,7 +21,7 @@ const card = (page: Page) => source(page).first();
 test("what is seen first is a leaf with its fit, and the slider changes it", async ({ page }) => {
   const tool = new FitTool(page);
   await tool.open();
-  await expect(card(page)).toHaveText("Maple-like leaf");
+  await expect(card(page)).toHaveText("Maple leaf");
   await expect.poll(() => tool.lit()).toBeGreaterThan(10_000);
   await tool.few(24);
   await tool.fitted();
@@ -41,8 +41,8 @@ test("what is seen first is a leaf with its fit, and the slider changes it", asy
   await expect.poll(async () => (await tool.scene()).fit?.numbers).toBe(24);
   // What was fitted before is there at once.
   await expect(tool.status).toHaveText(/off, (1|2)\d numbers$/);
-  await page.getByRole("button", { name: "Oak-like leaf" }).click();
-  await expect(card(page)).toHaveText("Oak-like leaf");
+  await page.getByRole("button", { name: "Oak leaf" }).click();
+  await expect(card(page)).toHaveText("Oak leaf");
   await tool.fitted();
 });
 
@@ -58,7 +58,7 @@ test("a fit within so many bytes is told beside others of as many, and a link ho
   await expect(tool.status).toHaveText(/off, (4|50?)\d? bytes$/, { timeout: 60_000 });
   await expect(page.getByTestId("chart")).toContainText("Fourier", { timeout: 60_000 });
   const { fit } = await tool.scene();
-  expect(fit).toMatchObject({ model: "spline", bytes: 50, spline: { name: "Maple-like leaf" } });
+  expect(fit).toMatchObject({ model: "spline", bytes: 50, spline: { name: "Maple leaf" } });
   expect(fit?.curve).toBeUndefined();
   const word = fit?.spline?.word ?? "";
   expect(word.length).toBeLessThanOrEqual(67);
@@ -411,7 +411,7 @@ test("files come out, and say what is seen", async ({ page }) => {
     const download = page.waitForEvent("download");
     await page.getByRole("button", { name, exact: true }).click();
     const got = await download;
-    expect(got.suggestedFilename()).toBe(`frond-maple-like-leaf.${name.toLowerCase()}`);
+    expect(got.suggestedFilename()).toBe(`frond-maple-leaf.${name.toLowerCase()}`);
     return readFile(await got.path());
   };
   const json = JSON.parse((await saved("JSON")).toString());

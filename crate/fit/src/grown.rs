@@ -107,6 +107,133 @@ pub fn oak_leaf(seed: u32) -> Vec<DVec2> {
     margin
 }
 
+/// A leaf as sugar maples have: five lobes with few pointed teeth, hollow between them, round bays, on a stalk. About 2
+/// units high, points up, counter-clockwise; the same for the same seed.
+#[must_use]
+pub fn sugar_maple(seed: u32) -> Vec<DVec2> {
+    // Of the right half, from the stalk up: the tip of a tooth or a turn of the margin, and what draws the stretch to
+    // the next one to its side.
+    const RIGHT: [[(f64, f64); 2]; 16] = [
+        [(0.022, -1.16), (0.012, -0.8)],
+        [(0.026, -0.47), (0.1, -0.6)],
+        [(0.3, -0.565), (0.46, -0.5)],
+        [(0.7, -0.6), (0.63, -0.46)],
+        [(0.585, -0.33), (0.545, -0.245)],
+        [(0.66, -0.235), (0.8, -0.25)],
+        [(0.97, -0.29), (0.87, -0.14)],
+        [(0.89, -0.02), (0.93, 0.09)],
+        [(1.14, 0.18), (0.97, 0.18)],
+        [(0.86, 0.235), (0.77, 0.275)],
+        [(0.78, 0.52), (0.65, 0.35)],
+        [(0.45, 0.23), (0.2, 0.055)],
+        [(0.275, 0.32), (0.32, 0.52)],
+        [(0.485, 0.7), (0.36, 0.675)],
+        [(0.265, 0.76), (0.2, 0.8)],
+        [(0.175, 0.87), (0.075, 0.99)],
+    ];
+    const TIP: DVec2 = DVec2::new(0.0, 1.22);
+    let mut chance = Chance { seed: seed ^ 0x05_a9a2, next: 0 };
+    let mut stretches: Vec<[DVec2; 3]> = Vec::new();
+    for side in [1.0, -1.0] {
+        let mut half: Vec<[DVec2; 2]> =
+            RIGHT.iter().map(|pair| pair.map(|(x, y)| DVec2::new(side * x, y))).collect();
+        for point in half[2..].iter_mut().flatten() {
+            *point += DVec2::new(chance.swing(), chance.swing()) * 0.014;
+        }
+        let ends = half.iter().skip(1).map(|place| place[0]).chain([TIP]);
+        let own: Vec<[DVec2; 3]> = half.iter().zip(ends).map(|(&[a, by], b)| [a, by, b]).collect();
+        if side > 0.0 {
+            stretches.extend(own);
+        } else {
+            stretches.extend(own.into_iter().rev().map(|[a, by, b]| [b, by, a]));
+        }
+    }
+    let count = stretches.len();
+    let mut margin = Vec::new();
+    for (i, [a, by, b]) in stretches.into_iter().enumerate() {
+        let stretch = (0..=16).map(|step| {
+            let t = f64::from(step) / 16.0;
+            a.lerp(by, t).lerp(by.lerp(b, t), t)
+        });
+        let on_stalk = i == 0 || i + 1 == count;
+        extend_unevenly(&mut margin, stretch.collect(), on_stalk, &mut chance);
+    }
+    // The stalk is cut off square.
+    margin.push(DVec2::new(-RIGHT[0][0].0, RIGHT[0][0].1));
+    margin
+}
+
+/// A leaf as white oaks have: round lobes, longest above the middle, and narrow bays between them, not quite opposite,
+/// on a stalk. About 2 units high, points up, counter-clockwise; the same for the same seed.
+#[must_use]
+pub fn white_oak(seed: u32) -> Vec<DVec2> {
+    // Of the right half, from the stalk up.
+    const RIGHT: [(f64, f64); 36] = [
+        (0.028, -1.15),
+        (0.03, -0.9),
+        (0.1, -0.83),
+        (0.22, -0.77),
+        (0.27, -0.695),
+        (0.21, -0.64),
+        (0.115, -0.6),
+        (0.115, -0.535),
+        (0.22, -0.48),
+        (0.37, -0.4),
+        (0.43, -0.315),
+        (0.37, -0.255),
+        (0.2, -0.285),
+        (0.135, -0.235),
+        (0.19, -0.155),
+        (0.4, -0.04),
+        (0.575, 0.1),
+        (0.585, 0.2),
+        (0.485, 0.235),
+        (0.28, 0.13),
+        (0.175, 0.125),
+        (0.175, 0.215),
+        (0.33, 0.35),
+        (0.5, 0.505),
+        (0.515, 0.6),
+        (0.43, 0.635),
+        (0.285, 0.545),
+        (0.2, 0.535),
+        (0.19, 0.61),
+        (0.255, 0.72),
+        (0.32, 0.85),
+        (0.285, 0.935),
+        (0.19, 0.935),
+        (0.125, 0.955),
+        (0.085, 1.02),
+        (0.0, 1.05),
+    ];
+    // How much higher the lobes of the left are: nothing at both ends.
+    let higher = |y: f64| 0.045 * ((y + 0.85) / 0.3).clamp(0.0, 1.0) * ((1.0 - y) / 0.4).clamp(0.0, 1.0);
+    let mut chance = Chance { seed: seed ^ 0x0a4d, next: 0 };
+    let mut corners: Vec<DVec2> = RIGHT.iter().map(|&(x, y)| DVec2::new(x, y)).collect();
+    corners.extend(RIGHT[..35].iter().rev().map(|&(x, y)| DVec2::new(-0.96 * x, y + higher(y))));
+    let count = corners.len();
+    for corner in &mut corners[2..count - 2] {
+        *corner += DVec2::new(chance.swing(), chance.swing()) * 0.016;
+    }
+    let mut margin = Vec::new();
+    for i in 0..count {
+        let at = |k: usize| corners[(i + count + k - 1) % count];
+        let stretch = (0..=8).map(|step| smooth([at(0), at(1), at(2), at(3)], f64::from(step) / 8.0));
+        let on_stalk = i == 0 || i + 2 >= count;
+        extend_unevenly(&mut margin, stretch.collect(), on_stalk, &mut chance);
+    }
+    margin
+}
+
+/// Adds a stretch without its end, four times as fine; a margin is a little uneven, a stalk is not.
+fn extend_unevenly(margin: &mut Vec<DVec2>, mut stretch: Vec<DVec2>, on_stalk: bool, chance: &mut Chance) {
+    for _ in 0..if on_stalk { 0 } else { 2 } {
+        stretch = uneven(&stretch, chance);
+    }
+    stretch.pop();
+    margin.append(&mut stretch);
+}
+
 /// An island with a rough coast: a ring of capes and bays whose sides are broken in the middle again and again. About 2
 /// units wide, counter-clockwise; the same for the same seed. Most seeds have no crossing.
 #[must_use]
@@ -184,7 +311,7 @@ mod tests {
     #[test]
     fn leaves_are_outlines_that_do_not_cross_themselves() {
         for seed in 0..6 {
-            for leaf in [maple_leaf(seed), oak_leaf(seed), island(4)] {
+            for leaf in [maple_leaf(seed), oak_leaf(seed), sugar_maple(seed), white_oak(seed), island(4)] {
                 assert_eq!(crossings(&leaf, 5), Some(vec![]), "seed {seed}");
                 let outline = Outline::new(&leaf).unwrap();
                 assert_eq!(outline.points().first(), leaf.first(), "it runs counter-clockwise");

@@ -22,7 +22,8 @@
 //!   tables.
 //! - [`split_polyline`], [`least_squares_polyline`], [`bezier`] and [`fourier`] spend as many numbers in other ways;
 //!   [`polyline_within`], [`bezier_within`] and [`fourier_within`] as many bytes;
-//!   [`maple_leaf`], [`oak_leaf`] and [`island`] grow outlines to try all this on; [`curve_presets`] are fits of them.
+//!   [`maple_leaf`], [`oak_leaf`], [`sugar_maple`], [`white_oak`] and [`island`] grow outlines to try all this on;
+//!   [`curve_presets`] are fits of some of them.
 //!
 //! # In which order to read it
 //!
@@ -84,7 +85,7 @@ pub use fractal::curve::{FractalCurve, Side};
 pub use fractal::function::{Dimension, FractalFunction};
 pub use fractal::piece::{Piece, spectral_norm};
 pub use fractal::recurrent::Recurrent;
-pub use grown::{island, maple_leaf, noisy, oak_leaf};
+pub use grown::{island, maple_leaf, noisy, oak_leaf, sugar_maple, white_oak};
 pub use hough::{
     Assembly, BINS, Candidate, Cluster, Components, Features, FirstPass, Found, Hough, HoughError,
     HoughOptions, HoughProgress, Kind, Letter, MAX_CELLS, MAX_FEATURES, Model, PLANE, Pick, SecondPass,
@@ -95,7 +96,7 @@ pub use outline::{
     Fidelity, Guard, MAX_OUTLINE, MAX_PREPARED, Near, Nearest, Outline, OutlineError, contacts, crossings,
     decimated, features, fidelity,
 };
-pub use preset::{CurvePreset, curve_presets};
+pub use preset::{CurvePreset, curve_preset, curve_presets};
 pub use read::{FileContent, FileKind, NamedOutline, ReadAs, ReadError, Remark, read_file, sniff};
 pub use segment::{
     Channel, Component, MAX_PIXELS, Mask, MaskOptions, Notice, Stroke, TraceError, Traced, Tracer,

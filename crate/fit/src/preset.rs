@@ -17,27 +17,38 @@ pub struct CurvePreset {
     pub curve: ClosedCurve,
 }
 
+/// The curve of this id: one of the gallery, or one that was in it once. Its id then stands in links.
+#[must_use]
+pub fn curve_preset(id: &str) -> Option<CurvePreset> {
+    match id {
+        "maple" => baked("maple", "Maple leaf", "A star of five lobes.", include_bytes!("preset/maple.bin")),
+        "oak" => baked("oak", "Oak leaf", "Pointed lobes.", include_bytes!("preset/oak.bin")),
+        _ => curve_presets().into_iter().find(|preset| preset.id == id),
+    }
+}
+
+fn baked(id: &'static str, name: &'static str, about: &'static str, bytes: &[u8]) -> Option<CurvePreset> {
+    ClosedCurve::from_bytes(bytes).ok().map(|curve| CurvePreset { id, name, about, curve })
+}
+
 /// The gallery of closed curves: a maple leaf, an oak leaf, Koch's snowflake and an island.
 ///
-/// All but the snowflake are fits of 260 numbers to [`maple_leaf`](crate::maple_leaf)(1),
-/// [`oak_leaf`](crate::oak_leaf)(1) and [`island`](crate::island)(4), made by `examples/bake.rs`.
+/// All but the snowflake are fits of 260 numbers to [`sugar_maple`](crate::sugar_maple)(1),
+/// [`white_oak`](crate::white_oak)(1) and [`island`](crate::island)(4), made by `examples/bake.rs`.
 #[must_use]
 pub fn curve_presets() -> Vec<CurvePreset> {
-    let baked = |id, name, about, bytes: &[u8]| {
-        ClosedCurve::from_bytes(bytes).ok().map(|curve| CurvePreset { id, name, about, curve })
-    };
     [
         baked(
-            "maple",
+            "sugar-maple",
             "Maple leaf",
-            "A leaf with five pointed lobes; its teeth copy larger stretches of the margin.",
-            include_bytes!("preset/maple.bin"),
+            "A leaf of five lobes with pointed teeth, as sugar maples have.",
+            include_bytes!("preset/sugar-maple.bin"),
         ),
         baked(
-            "oak",
+            "white-oak",
             "Oak leaf",
-            "Round lobes on both sides of a midrib, with a finely uneven margin.",
-            include_bytes!("preset/oak.bin"),
+            "Round lobes and narrow bays, as white oaks have them.",
+            include_bytes!("preset/white-oak.bin"),
         ),
         Some(CurvePreset {
             id: "snowflake",

@@ -1,12 +1,17 @@
 //! The closed curves of the gallery.
 
-use frond_fit::{ClosedCurve, Outline, crossings, curve_presets, fidelity, island, maple_leaf, oak_leaf};
+use frond_fit::{
+    ClosedCurve, Outline, crossings, curve_preset, curve_presets, fidelity, island, sugar_maple, white_oak,
+};
 use glam::DVec2;
 
 #[test]
 fn the_gallery_is_whole_and_sound() {
     let presets = curve_presets();
-    assert_eq!(presets.iter().map(|p| p.id).collect::<Vec<_>>(), ["maple", "oak", "snowflake", "island"]);
+    assert_eq!(
+        presets.iter().map(|p| p.id).collect::<Vec<_>>(),
+        ["sugar-maple", "white-oak", "snowflake", "island"]
+    );
     for preset in &presets {
         let curve = &preset.curve;
         assert!(curve.is_sound(), "{}", preset.id);
@@ -19,7 +24,8 @@ fn the_gallery_is_whole_and_sound() {
 
 #[test]
 fn baked_fits_are_near_their_outlines() {
-    for (id, points) in [("maple", maple_leaf(1)), ("oak", oak_leaf(1)), ("island", island(4))] {
+    for (id, points) in [("sugar-maple", sugar_maple(1)), ("white-oak", white_oak(1)), ("island", island(4))]
+    {
         let preset = curve_presets().into_iter().find(|p| p.id == id).unwrap();
         let outline = Outline::new(&points).unwrap();
         assert!(preset.curve.numbers() <= 260);
@@ -27,6 +33,20 @@ fn baked_fits_are_near_their_outlines() {
         assert!(near.rms < 0.07 && near.hausdorff < 0.4, "{id}: {near:?}");
         assert!(near.slope_difference().abs() < 0.03, "{id}: {near:?}");
     }
+}
+
+#[test]
+fn leaves_that_are_no_more_in_the_gallery_are_what_they_were() {
+    let gallery = curve_presets();
+    for (id, knots) in [("maple", 100), ("oak", 99)] {
+        assert!(gallery.iter().all(|preset| preset.id != id));
+        let former = curve_preset(id).unwrap();
+        assert!(former.curve.is_sound() && former.curve.knots.len().abs_diff(knots) < 16, "{id}");
+    }
+    for preset in gallery {
+        assert_eq!(curve_preset(preset.id), Some(preset));
+    }
+    assert_eq!(curve_preset("willow"), None);
 }
 
 #[test]

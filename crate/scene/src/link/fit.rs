@@ -50,7 +50,7 @@ fn as_a(what: &str, why: &impl std::fmt::Display) -> String {
 
 /// The curve of the gallery with this id.
 fn gallery(id: &str) -> Option<CurveShape> {
-    let preset = frond_fit::curve_presets().into_iter().find(|preset| preset.id == id)?;
+    let preset = frond_fit::curve_preset(id)?;
     Some(CurveShape {
         preset: Some(preset.id.to_owned()),
         name: preset.name.to_owned(),

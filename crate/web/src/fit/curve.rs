@@ -5,7 +5,7 @@
 use frond_fit::{
     ArcCopy, ClosedCurve, CollageFit, CollageOptions, DRAWING_LEVELS, DRAWING_TOLERANCE, Fitter,
     MAX_PREPARED, Outline, PackError, Stage, bezier, crossings, features, fourier, island,
-    least_squares_polyline, maple_leaf, noisy, oak_leaf, split_polyline,
+    least_squares_polyline, maple_leaf, noisy, oak_leaf, split_polyline, sugar_maple, white_oak,
 };
 use glam::DVec2;
 use js_sys::Date;
@@ -59,16 +59,21 @@ fn read_curve(value: JsValue) -> Result<ClosedCurve, JsValue> {
     }
 }
 
-/// An outline grown by program: a `"maple"`-like or an `"oak"`-like leaf, an `"island"`, or a maple-like leaf that was
-/// badly measured, `"noisy"`.
+/// An outline grown by program: a leaf as of a `"sugar-maple"` or a `"white-oak"`, a rougher star of five lobes,
+/// `"maple"`, one of pointed lobes, `"oak"`, an `"island"`, or a maple leaf that was badly measured, `"noisy"`.
 #[wasm_bindgen(js_name = grownOutline)]
 pub fn grown_outline(kind: &str, seed: u32) -> Result<JsValue, JsValue> {
     match kind {
+        "sugar-maple" => Ok(flat(&sugar_maple(seed))),
+        "white-oak" => Ok(flat(&white_oak(seed))),
         "maple" => Ok(flat(&maple_leaf(seed))),
         "island" => Ok(flat(&island(seed))),
         "oak" => Ok(flat(&oak_leaf(seed))),
-        "noisy" => Ok(flat(&noisy(&maple_leaf(seed), seed))),
-        _ => Err(bad_input("The kind of outline", "maple, oak, island and noisy are there")),
+        "noisy" => Ok(flat(&noisy(&sugar_maple(seed), seed))),
+        _ => Err(bad_input(
+            "The kind of outline",
+            "sugar-maple, white-oak, maple, oak, island and noisy are there",
+        )),
     }
 }
 

@@ -115,8 +115,8 @@ function takeShape(shape: CurveShape, to: Use, grown: string | undefined = shape
   try {
     const taken = shape.preset ? shape : { ...shape, curve: takenCurve(shape.curve) };
     const presets = rough.curvePresets();
-    // A maple-like leaf goes to the oak-like one, whatever else to the maple.
-    const wanted = grown !== undefined && grown !== "oak" ? "oak" : "maple";
+    // A leaf of the gallery goes to the oak's, unless it is that; whatever else to the maple's.
+    const wanted = grown !== undefined && grown !== "white-oak" ? "white-oak" : "sugar-maple";
     const partner = presets.find((preset) => preset.id === wanted) ?? presets[0];
     if (!partner) throw new Error("there is no other shape");
     const before = scene.peek();

@@ -23,7 +23,7 @@ export interface Prepared {
   crossings: number | null;
 }
 
-export type Grown = "maple" | "oak" | "island" | "noisy";
+export type Grown = "sugar-maple" | "white-oak" | "island" | "noisy";
 export type FitStage = "straight" | "copies" | "trade" | "polish";
 
 /** A fit that is under way. */

@@ -43,10 +43,10 @@ export function SourcePanel() {
 }
 
 const EXAMPLES: readonly { grown: Grown; name: string; about: string }[] = [
-  { grown: "maple", name: "Maple-like leaf", about: "Five pointed lobes with teeth on teeth" },
-  { grown: "oak", name: "Oak-like leaf", about: "Round lobes with a finely uneven margin" },
+  { grown: "sugar-maple", name: "Maple leaf", about: "Five lobes with pointed teeth and round bays" },
+  { grown: "white-oak", name: "Oak leaf", about: "Round lobes and narrow bays" },
   { grown: "island", name: "Island", about: "A coast that is rough however near it is seen" },
-  { grown: "noisy", name: "Noisy leaf", about: "A maple-like leaf, badly measured: try the smoothing" },
+  { grown: "noisy", name: "Noisy leaf", about: "A maple leaf, badly measured: try the smoothing" },
 ];
 
 /** Leaves that are grown by program, each time another one. */

@@ -99,8 +99,8 @@ export function watchFit(): () => void {
       untracked(() => backTo(own.get(curve)?.of));
       return;
     }
-    // Those of the gallery have outlines.
-    if (preset === "maple" || preset === "oak" || preset === "island") {
+    // Those of the gallery have outlines, unless they are no more in it.
+    if (preset === "sugar-maple" || preset === "white-oak" || preset === "island") {
       takeSource({ kind: "grown", name, grown: preset, seed: SEEDS[preset] });
     } else {
       const { numbers } = fitDocument.peek();

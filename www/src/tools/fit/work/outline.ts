@@ -55,7 +55,7 @@ export function polylineOf(curve: Curve): Float64Array | null {
 }
 
 /** Seeds of the leaves that the gallery has fits of. */
-export const SEEDS = { maple: 1, oak: 1, island: 4, noisy: 1 } as const;
+export const SEEDS = { "sugar-maple": 1, "white-oak": 1, island: 4, noisy: 1 } as const;
 
 let gallery: readonly CurvePreset[] | null = null;
 

@@ -40,7 +40,7 @@ export interface Origin {
   photograph: KeptPhotograph | null;
 }
 
-export const FIRST: Source = { kind: "grown", name: "Maple-like leaf", grown: "maple", seed: 1 };
+export const FIRST: Source = { kind: "grown", name: "Maple leaf", grown: "sugar-maple", seed: 1 };
 
 const present = signal<Source>(FIRST);
 const before = signal<Source | null>(null);
