@@ -5,7 +5,9 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use frond_fit::{Node, Spline};
 use frond_scene::{MAX_LINK, decode, encode, pack, unpack};
+use glam::DVec2;
 use proptest::prelude::*;
 use proptest::sample::select;
 
@@ -94,8 +96,19 @@ fn curve() -> Word {
         },
     );
     let own = prop_oneof![hostile, sound].prop_map(|text| format!("curve:{text}"));
-    prop_oneof![1 => select(vec!["maple", "snowflake", "willow"]).prop_map(ToOwned::to_owned), 4 => own]
-        .boxed()
+    let named = vec!["maple", "sugar-maple", "snowflake", "willow"];
+    prop_oneof![1 => select(named).prop_map(ToOwned::to_owned), 4 => own].boxed()
+}
+
+/// A spline: of some letters, or of a sound one.
+fn spline() -> Word {
+    let sound = (proptest::collection::vec((-400..400_i32, -400..400_i32, any::<bool>()), 3..60), -9..9_i32)
+        .prop_map(|(nodes, size)| {
+            let node = |&(x, y, on): &(i32, i32, bool)| Node { at: DVec2::new(x.into(), y.into()), on };
+            let spline = Spline { nodes: nodes.iter().map(node).collect(), grid: f64::from(size).exp2() };
+            spline.to_text().unwrap_or_default()
+        });
+    prop_oneof![1 => "[-_0-9A-Za-z]{0,40}".prop_map(|text| text), 3 => sound].boxed()
 }
 
 /// A graph-directed shape: of the gallery, or of some states that copy what may not be there.
@@ -158,7 +171,7 @@ fn word() -> Word {
     let shapes = prop_oneof![
         (select(vec!["a", "b"]), joined(joined(mild(), 6..7, ","), 1..4, ";"))
             .prop_map(|(key, rows)| format!("{key}=maps:{rows}")),
-        (select(vec!["a-name", "b-name", "curve-a-name", "fitted-name"]), "\\PC{0,12}")
+        (select(vec!["a-name", "b-name", "curve-a-name", "fitted-name", "spline-name"]), "\\PC{0,12}")
             .prop_map(|(key, name)| format!("{key}={name}")),
         of("mode", &["polar", "linear", "x"]),
         (select(vec!["auto", "straight", "drawn"]), points(2..4))
@@ -195,11 +208,12 @@ fn word() -> Word {
     let fits = prop_oneof![
         (select(vec!["curve-a", "curve-b", "fitted"]), curve())
             .prop_map(|(key, text)| format!("{key}={text}")),
-        (select(vec!["outline:closed", "graph:collage"]), 10..300_u32, number())
+        (select(vec!["outline:closed", "outline:spline", "graph:collage"]), 10..300_u32, number())
             .prop_map(|(how, count, x)| format!("fit={how},{count},{x}")),
         (mild(), mild(), number())
             .prop_map(|(c, e, b)| format!("graph=fif:0.5,{b},{c},0,0,0,1;0.5,0,{c},0.5,{e},0,1")),
-        space().prop_map(|text| format!("space={text}")),
+        spline().prop_map(|text| format!("spline={text}")),
+        (20..200_u32).prop_map(|bytes| format!("bytes={bytes}")),
         (joined(mild(), 7..8, ","), select(vec!["", ",eye"]))
             .prop_map(|(view, eye)| format!("space-view={view}{eye}")),
         of("space-own", &["0", "1"]),
@@ -207,10 +221,18 @@ fn word() -> Word {
         of("tool", &["morph", "deform", "fit", "space"]),
         of("v", &["1", "2", "0"]),
     ];
+    let spaces = space().prop_map(|text| format!("space={text}"));
     let curves = (curve(), curve()).prop_map(|(a, b)| format!("curve-a={a}&curve-b={b}"));
+    // Ends that are the other one, or the fit's.
+    let taken = (curve(), curve(), 0..4_u32).prop_map(|(own, fitted, which)| match which {
+        0 => format!("curve-a={own}&curve-b=curve-a"),
+        1 => format!("curve-a={own}&curve-b=fitted&fitted={fitted}"),
+        2 => format!("curve-a=fitted&curve-b={own}&fitted={fitted}"),
+        _ => format!("curve-a=fitted&curve-b=curve-a&fitted={fitted}"),
+    });
     let graphs = (directed(), directed(), "\\PC{0,12}")
         .prop_map(|(a, b, name)| format!("directed-a={a}&directed-b={b}&directed-a-name={name}"));
-    prop_oneof![3 => shapes, 3 => bends, 3 => fits, 1 => curves, 1 => graphs, 3 => select(given())].boxed()
+    prop_oneof![3 => shapes, 4 => bends, 3 => fits, 1 => spaces, 1 => curves, 1 => taken, 1 => graphs, 3 => select(given())].boxed()
 }
 
 /// A few words, sometimes with damage: some characters are others, or gone.
@@ -260,16 +282,20 @@ fn many_of_these_links_open() {
     use proptest::strategy::ValueTree as _;
     let mut runner = proptest::test_runner::TestRunner::deterministic();
     let (mut opened, mut curves, mut graphs, mut spaces, mut bent) = (0, 0, 0, 0, 0);
+    let (mut taken, mut splines) = (0, 0);
     for _ in 0..2000 {
         let Ok(tree) = link().new_tree(&mut runner) else { continue };
         let (scene, problem) = decode(&tree.current());
         let packed = scene.space.as_ref().is_some_and(|space| unpack(&space.packed).is_ok());
         opened += usize::from(problem.is_none());
         curves += usize::from(scene.curves.is_some());
+        let fit = scene.fit.as_ref();
+        taken += usize::from(scene.curves.is_some() && fit.is_some_and(|fit| fit.curve.is_some()));
+        splines += usize::from(fit.is_some_and(|fit| fit.spline.is_some()));
         graphs += usize::from(scene.directed.is_some());
         spaces += usize::from(packed);
         bent += usize::from(scene.deform.is_some());
     }
     assert!(opened > 500 && curves > 20 && spaces > 20 && bent > 30, "{opened} {curves} {spaces} {bent}");
-    assert!(graphs > 20, "{graphs}");
+    assert!(graphs > 20 && taken > 10 && splines > 20, "{graphs} {taken} {splines}");
 }
