@@ -10,10 +10,13 @@ import { Button } from "#ui/controls/Button";
 import { Dialog } from "#ui/overlay/Dialog";
 import { QrCode } from "#ui/overlay/QrCode";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import type { Scene } from "#wasm/api";
+import { frond } from "#wasm/core";
 import { link } from "./actions";
 import { moving } from "./moving";
 import { AUTOPLAY, type Moves } from "./publish/folder";
 import { Publish } from "./publish/Publish";
+import { seenOf } from "./publish/seen";
 import css from "./share.module.css";
 import { openedTool } from "./tools";
 
@@ -45,7 +48,7 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
   const [, setStood] = useState(false);
   const address = addressWith(start, moves);
   useEffect(() => {
-    // What is sent is what is seen, and the address bar has the same.
+    // What is sent is what is seen. The address bar holds all of the document, for whoever comes back to it here.
     if (moving()) openedTool().tool?.timeline?.toggle();
     link.flush();
     setStood(true);
@@ -160,9 +163,18 @@ function addressWith(start: "here" | "first", moves: Moves): string | null {
     ...(deform ? { deform: { ...deform, phase: 0 } } : {}),
     ...(space ? { space: { ...space, at: 0 } } : {}),
   };
-  const fragment = link.fragment(start === "first" ? first : {});
+  const fragment = fragmentOf({ ...scene.peek(), ...(start === "first" ? first : {}) });
   if (fragment === null) return null;
   return `${location.origin}${location.pathname}${QUERY[moves]}#${fragment}`;
+}
+
+/** What is seen of a document as a fragment; null where no link can hold it. */
+function fragmentOf(now: Scene): string | null {
+  try {
+    return frond.encodeScene(seenOf(now, frond.defaultScene()));
+  } catch {
+    return null;
+  }
 }
 
 /** The document in a frame of another page: what stands in the address goes on in `embed.html`. */
