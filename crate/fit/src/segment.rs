@@ -139,7 +139,7 @@ impl Tracer {
             hint.pixels(self.width, self.height, |i| away[i] |= !hint.keep);
         }
         let most = parts(&bits, true, true).largest(1, 1).all.first().map_or(0, |part| part.area / 20);
-        fill_holes(&mut bits, most, |i| away[i]);
+        let filled = fill_holes(&mut bits, most, |i| away[i]);
         let Parts { labels, all } = parts(&bits, true, true).largest(2, MAX_PIECES);
         let notices = self.notices(&all);
         Mask {
@@ -147,6 +147,7 @@ impl Tracer {
             height: self.height,
             labels,
             components: all,
+            filled,
             notices,
             level,
             inverted: options.invert,

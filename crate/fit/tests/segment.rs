@@ -270,6 +270,11 @@ fn what_is_wrong_with_a_picture_is_said() {
     assert_eq!(notices(300, 200, |x, y| ink(disc(x, y, 80.0, 50.0) || disc(x, y, 220.0, 45.0))), ["several"]);
     assert_eq!(notices(300, 200, |x, y| ink(disc(x, y, 10.0, 60.0))), ["touches-border"]);
     assert_eq!(notices(300, 200, |x, y| ink(disc(x, y, 150.0, 60.0))), [""; 0]);
+    // A small hole is filled, a large one left open; the outline passes over both.
+    let with = |r: f64| move |x, y| ink(disc(x, y, 150.0, 60.0) && !disc(x, y, 150.0, r));
+    assert_eq!(notices(300, 200, with(5.0)), ["holes"]);
+    assert_eq!(notices(300, 200, with(30.0)), ["holes"]);
+    assert_eq!(notices(300, 200, with(1.2)), [""; 0]);
 }
 
 #[test]

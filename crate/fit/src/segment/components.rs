@@ -87,8 +87,9 @@ impl Parts {
     }
 }
 
-/// Fills holes of at most `most` pixels, but for those in which a pixel is `open`.
-pub fn fill_holes(bits: &mut Bits, most: usize, open: impl Fn(usize) -> bool) {
+/// Fills holes of at most `most` pixels, but for those in which a pixel is `open`. A pixel of each that was filled, and
+/// how many it has.
+pub fn fill_holes(bits: &mut Bits, most: usize, open: impl Fn(usize) -> bool) -> Vec<(usize, usize)> {
     let holes = parts(bits, false, false);
     let mut filled: Vec<bool> =
         holes.all.iter().map(|hole| !hole.touches_border && hole.area <= most).collect();
@@ -100,6 +101,8 @@ pub fn fill_holes(bits: &mut Bits, most: usize, open: impl Fn(usize) -> bool) {
     for (on, &label) in bits.on.iter_mut().zip(&holes.labels) {
         *on |= label != NONE && filled[label as usize];
     }
+    let of = |(hole, _): (&Component, &bool)| (hole.at[1] * bits.width + hole.at[0], hole.area);
+    holes.all.iter().zip(&filled).filter(|(_, filled)| **filled).map(of).collect()
 }
 
 #[cfg(test)]
@@ -120,7 +123,7 @@ mod tests {
         assert_eq!((found.all[0].area, found.all[0].touches_border), (13, false));
         let all = parts(&bits, true, true).largest(1, 9);
         assert!(all.all[1].touches_border);
-        fill_holes(&mut bits, 1, |_| false);
+        assert_eq!(fill_holes(&mut bits, 1, |_| false), [(2 * 8 + 2, 1)]);
         assert!(bits.on[2 * 8 + 2]);
     }
 

@@ -26,6 +26,8 @@ pub struct Mask {
     pub(super) height: usize,
     pub(super) labels: Vec<u32>,
     pub(super) components: Vec<Component>,
+    /// A pixel of each hole that was filled, and how many it had.
+    pub(super) filled: Vec<(usize, usize)>,
     pub(super) notices: Vec<Notice>,
     pub(super) level: f64,
     pub(super) inverted: bool,

@@ -19,6 +19,8 @@ pub enum Notice {
     Noise,
     /// The outline had so many points: fewer were kept.
     Thinned(usize),
+    /// The piece has so many holes, which the outline leaves out.
+    Holes(usize),
 }
 
 impl Notice {
@@ -32,6 +34,7 @@ impl Notice {
             Self::AllBlack => "all-black",
             Self::Noise => "noise",
             Self::Thinned(_) => "thinned",
+            Self::Holes(_) => "holes",
         }
     }
 
@@ -66,6 +69,15 @@ impl Notice {
             Self::Thinned(count) => {
                 format!("The outline had {count} points; {MAX_OUTLINE} of them are kept.")
             }
+            Self::Holes(1) => {
+                "The leaf has a hole, which is filled: an outline is one line around it. Where it is no hole but a gap \
+                 at the rim, a stroke that says “not leaf” opens it to the outside."
+                    .into()
+            }
+            Self::Holes(count) => format!(
+                "The leaf has {count} holes, which are filled: an outline is one line around it. Where one is no hole \
+                 but a gap at the rim, a stroke that says “not leaf” opens it to the outside."
+            ),
         }
     }
 }

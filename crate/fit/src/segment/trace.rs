@@ -4,10 +4,15 @@ use glam::DVec2;
 
 use super::Tracer;
 use super::binary_image::Bits;
+use super::components::{Component, parts};
 use super::contour::{Field, area};
 use super::mask::Mask;
 use super::notice::{Notice, TraceError};
 use crate::outline::{MAX_OUTLINE, thinned};
+
+/// Holes of so few pixels, and smaller parts of a piece than this, are specks that nobody misses.
+const LEAST_HOLE: usize = 16;
+const SEEN_HOLE: usize = 2000;
 
 /// The line round a piece.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,6 +87,10 @@ impl Tracer {
         if part.touches_border {
             notices.push(Notice::TouchesBorder);
         }
+        let holes = holes(mask, component, &filled);
+        if holes > 0 {
+            notices.push(Notice::Holes(holes));
+        }
         if points.len() > MAX_OUTLINE {
             notices.push(Notice::Thinned(points.len()));
             points = thinned(&points, MAX_OUTLINE);
@@ -114,6 +123,16 @@ impl Tracer {
             (false, true) => -0.5,
         }
     }
+}
+
+/// How many holes that can be seen a piece has, or had before they were filled; `piece` is it with a rim round it.
+fn holes(mask: &Mask, component: usize, piece: &Bits) -> usize {
+    let least = (mask.components[component].area / SEEN_HOLE).max(LEAST_HOLE);
+    let filled =
+        mask.filled.iter().filter(|(at, area)| *area >= least && mask.labels[*at] == component as u32);
+    let open = parts(piece, false, false);
+    let seen = |hole: &&Component| !hole.touches_border && hole.area >= least;
+    filled.count() + open.all.iter().filter(seen).count()
 }
 
 /// Each value averaged with its neighbours: 1, 2, 1 across and down.

@@ -31,6 +31,8 @@ type WarningCode =
   | "crossing"
   /** More points than are kept: so many were left out. */
   | "thinned"
+  /** There are holes in it, which the outline leaves out. */
+  | "holes"
   /** Lines without numbers, or with NaN, were left out; the message names them. */
   | "gaps"
   /** Numbers could be meant otherwise: the message says how commas and points were taken. */
@@ -154,6 +156,14 @@ export interface TracedOutline {
   area: number;
   length: number;
   warnings: TraceWarning[];
+}
+
+/** A picture that lies on its side or upside down. */
+export interface TurnArgs {
+  /** As it was opened, or turned before. */
+  picture: OpenedPicture;
+  /** Quarters of a turn, clockwise. */
+  quarters: 1 | 2 | 3;
 }
 
 export interface CloseFileArgs {

@@ -57,6 +57,7 @@ function decoder(width: number, height: number): void {
     class {
       getContext = () => ({
         drawImage: close,
+        setTransform: close,
         getImageData: (_x: number, _y: number, w: number, h: number) => ({
           data: new Uint8ClampedArray(4 * w * h),
         }),
@@ -146,6 +147,18 @@ test("four pictures are held, and the one not used for longest goes", async () =
   traceTasks.closeFile(context, { id: fourth });
   expect(freed.length).toBe(2);
   expect(traceTasks.closeFile(context, { id: fourth })).toBeNull();
+});
+
+test("a picture that is turned is another one of the turned size", async () => {
+  decoder(10, 8);
+  const context = worker();
+  const opened = await traceTasks.openFile(context, { file: png(10, 8), name: "a" });
+  if (opened.kind !== "picture") throw new Error("no picture");
+  const quarter = traceTasks.turnPicture(context, { picture: opened, quarters: 1 });
+  expect(quarter).toMatchObject({ width: 8, height: 10, original: { width: 8, height: 10 }, name: "a" });
+  expect(quarter.id).not.toBe(opened.id);
+  const half = traceTasks.turnPicture(context, { picture: quarter, quarters: 2 });
+  expect(half).toMatchObject({ width: 8, height: 10 });
 });
 
 test("what is said exactly holds there, and the rest is a hint", async () => {

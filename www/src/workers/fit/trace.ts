@@ -18,6 +18,7 @@ import type {
   OutlineArgs,
   TracedOutline,
   TraceWarning,
+  TurnArgs,
 } from "./trace-types";
 
 type PictureTracer = InstanceType<FitModule["PictureTracer"]>;
@@ -98,6 +99,25 @@ function about(name: string, problem: unknown): unknown {
   return { code, message: `“${name}”: ${problem.message}` };
 }
 
+/** Keeps the pixels of a picture; returns its number. */
+function hold(
+  fit: FitModule,
+  keep: Map<string, unknown>,
+  width: number,
+  height: number,
+  pixels: Uint8ClampedArray<ArrayBuffer>,
+): number {
+  const all = held(keep);
+  for (const [id, oldest] of all.tracers) {
+    if (all.tracers.size < MOST_HELD) break;
+    oldest.free();
+    all.tracers.delete(id);
+  }
+  const id = all.next++;
+  all.tracers.set(id, new fit.PictureTracer(width, height, new Uint8Array(pixels.buffer)));
+  return id;
+}
+
 export const traceTasks = {
   /** Finds out what a file is, by what is in it, and opens it. */
   async openFile({ fit, keep, transfer }: Plain, { file, name: given, as }: OpenFileArgs): Promise<Opened> {
@@ -119,14 +139,7 @@ export const traceTasks = {
     }
     const decoded = await picture(file, name, header);
     const { width, height, original, bitmap, pixels } = decoded;
-    const all = held(keep);
-    for (const [id, oldest] of all.tracers) {
-      if (all.tracers.size < MOST_HELD) break;
-      oldest.free();
-      all.tracers.delete(id);
-    }
-    const id = all.next++;
-    all.tracers.set(id, new fit.PictureTracer(width, height, new Uint8Array(pixels.buffer)));
+    const id = hold(fit, keep, width, height, pixels);
     transfer(bitmap);
     const opened: OpenedPicture = {
       kind: "picture",
@@ -140,6 +153,27 @@ export const traceTasks = {
     };
     if (width < original.width || height < original.height) opened.warnings.push(smaller(name, opened));
     return opened;
+  },
+
+  /** The same picture, turned: another one, beside it. */
+  turnPicture({ fit, keep, transfer }: Plain, { picture: before, quarters }: TurnArgs): OpenedPicture {
+    const upright = (size: { width: number; height: number }) =>
+      quarters === 2 ? size : { width: size.height, height: size.width };
+    const { width, height } = upright(before);
+    const canvas = new OffscreenCanvas(width, height);
+    const context = canvas.getContext("2d", { willReadFrequently: true });
+    if (!context) throw new Error("no canvas");
+    // Pixels fall on pixels.
+    if (quarters === 1) context.setTransform(0, 1, -1, 0, width, 0);
+    else if (quarters === 2) context.setTransform(-1, 0, 0, -1, width, height);
+    else context.setTransform(0, -1, 1, 0, 0, height);
+    context.drawImage(before.bitmap, 0, 0);
+    before.bitmap.close();
+    const { data } = context.getImageData(0, 0, width, height);
+    const id = hold(fit, keep, width, height, data);
+    const bitmap = canvas.transferToImageBitmap();
+    transfer(bitmap);
+    return { ...before, id, width, height, original: upright(before.original), bitmap, warnings: [] };
   },
 
   /** Draws the mask of a picture. */

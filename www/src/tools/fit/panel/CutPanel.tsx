@@ -21,6 +21,7 @@ import {
   warnings,
 } from "../work/mask";
 import { former, opened, takeFormer } from "../work/source";
+import { type Quarters, turnPicture } from "../work/turn";
 
 /** Between a picture and its outline: the mask and what mends it. */
 export function CutPanel() {
@@ -62,6 +63,7 @@ function Mask() {
       <Messages />
       <Brush />
       <Parts />
+      <Turn />
       <SliderField
         digits={2}
         label="Threshold"
@@ -114,6 +116,26 @@ function Messages() {
         </Button>
       )}
     </div>
+  );
+}
+
+const TURNS: readonly { quarters: Quarters; label: string; description: string }[] = [
+  { quarters: 3, label: "Left", description: "Turn the photograph a quarter to the left" },
+  { quarters: 1, label: "Right", description: "Turn the photograph a quarter to the right" },
+  { quarters: 2, label: "Upside down", description: "Turn the photograph by half a turn" },
+];
+
+/** A leaf that was scanned with its tip down. */
+function Turn() {
+  return (
+    <fieldset class={fitCss["turns"]}>
+      <legend class="row-name">Turn it</legend>
+      {TURNS.map(({ quarters, label, description }) => (
+        <Button key={quarters} description={description} onClick={() => void turnPicture(quarters)}>
+          {label}
+        </Button>
+      ))}
+    </fieldset>
   );
 }
 

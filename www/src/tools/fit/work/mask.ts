@@ -66,6 +66,11 @@ export function redoStroke(): void {
 /** What was painted on a picture is kept with it. */
 const kept = new Map<number, { settings: Settings; part: number }>();
 
+/** What was painted goes along to another picture. */
+export function keepFor(id: number, settings: Settings, part: number): void {
+  kept.set(id, { settings, part });
+}
+
 /** Whose settings they are: whoever leaves the tool and comes back finds them as they were. */
 let picture: number | null = null;
 

@@ -76,6 +76,14 @@ export function takeSource(next: Source): void {
   present.value = next;
 }
 
+/** A picture takes the place of the one it was made of, which is let go of. */
+export function replacePicture(picture: OpenedPicture): void {
+  const last = present.peek();
+  if (last.kind !== "picture") return;
+  present.value = { ...last, picture };
+  close(last.picture);
+}
+
 /** Back to what was there before. */
 export function takeFormer(): void {
   const last = before.peek();
