@@ -18,3 +18,19 @@ export function systemAt({ from, to, mode, t }: Moment): DirectedIfs {
   if (t <= 0) return from;
   return t >= 1 ? to : directed.interpolateDirected(from, to, { u: t, v: t, mode });
 }
+
+/**
+ * The system there as it is drawn. At the ends, too, it is split and doubled as on the way: the shape is the same, and
+ * its parts have the colours that they keep all along.
+ */
+export function drawnAt(moment: Moment): DirectedIfs {
+  const { from, to, mode, t } = moment;
+  if (t > 0 && t < 1) return systemAt(moment);
+  try {
+    const end = t <= 0 ? 0 : 1;
+    return directed.interpolateDirected(from, to, { u: end, v: end, mode });
+  } catch {
+    // What has no way to the other is drawn as it is.
+    return systemAt(moment);
+  }
+}

@@ -12,7 +12,7 @@ import type {
 import { directed } from "#wasm/directed";
 import { toError } from "#wasm/error";
 import type { Context } from "../lanes/task";
-import { type Moment, systemAt, type Way } from "./moment";
+import { drawnAt, type Moment, systemAt, type Way } from "./moment";
 
 interface Picture {
   system: DirectedIfs;
@@ -87,10 +87,10 @@ export const tasks = {
     directed.certifyDirected(from, to, options),
   /** The complete picture of a moment; throws where there is no attractor. */
   moment: (context: Context, { moment, options }: MomentPicture): Promise<ImageBitmap> =>
-    drawn(context, { system: systemAt(moment), options }),
+    drawn(context, { system: drawnAt(moment), options }),
   /** The same as pixels. */
   pixels(context: Context, { moment, options }: MomentPicture): Uint8ClampedArray<ArrayBuffer> {
-    const pixels = pixelsOf({ system: systemAt(moment), options });
+    const pixels = pixelsOf({ system: drawnAt(moment), options });
     context.transfer(pixels.buffer);
     return pixels;
   },
