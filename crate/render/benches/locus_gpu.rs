@@ -39,7 +39,7 @@ mod measure {
         let (sizes, runs) = if gpu.software { (vec![128], 1) } else { (vec![128, 256, 1024], 10) };
         for size in sizes {
             for epsilon in [1.0 / 600.0, 1e-4, 1e-5] {
-                let grid = LocusGrid::new(Bounds::first(), size, size).expect("a grid");
+                let grid = LocusGrid::new(Bounds::default(), size, size).expect("a grid");
                 let mut answers = Vec::new();
                 // As the page begins, then in fewer and larger commands, as it goes on where they are soon done.
                 for at_once in
@@ -94,7 +94,7 @@ mod measure {
     }
 
     fn settle(morph: &Morph, grid: &LocusGrid, epsilon: f64, samples: &[Sample]) {
-        let (mut maps, mut scratch) = (Vec::new(), Scratch::first());
+        let (mut maps, mut scratch) = (Vec::new(), Scratch::default());
         for (k, _) in samples.iter().enumerate().filter(|(_, sample)| sample.state == State::Undecided) {
             morph.fill(grid.u(k % grid.width()), grid.v(k / grid.width()), &mut maps);
             black_box(decide(&maps, epsilon, LocusGrid::BUDGET, &mut scratch));
@@ -103,7 +103,7 @@ mod measure {
 
     /// Rows spread over the grid, by the processor.
     fn rows(morph: &Morph, grid: &LocusGrid, epsilon: f64, part: usize) {
-        let (mut maps, mut scratch) = (Vec::new(), Scratch::first());
+        let (mut maps, mut scratch) = (Vec::new(), Scratch::default());
         for k in 0..part {
             let v = grid.v((2 * k + 1) * grid.height() / (2 * part));
             for x in 0..grid.width() {

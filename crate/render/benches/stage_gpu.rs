@@ -39,6 +39,7 @@ mod measure {
         };
         for &budget in bench.budgets {
             bench.dragged(budget);
+            bench.rests(budget);
             bench.dense(budget);
             bench.bent(budget);
             bench.space(budget);
@@ -111,6 +112,16 @@ mod measure {
             stage.set_ifs(&fern(0.0));
             settle(&mut stage, budget);
             compare(&stage, &fern(0.0), None);
+        }
+
+        /// Shapes that are seen for the first time, until they are complete: a full one and a thin one.
+        fn rests(self, budget: u64) {
+            for (name, ifs) in [("dragon", dragon()), ("gasket", gasket())] {
+                println!("{name}, at rest, {budget} points");
+                let mut stage = stage(&ifs);
+                settle(&mut stage, budget);
+                compare(&stage, &ifs, None);
+            }
         }
 
         /// The chaos game, until there are enough of its points.
@@ -260,6 +271,13 @@ mod measure {
             [-0.15, 0.28, 0.26, 0.24, 0.0, 0.44],
         ];
         Ifs::new(rows.map(Affine2::from_row).to_vec()).expect("a fern")
+    }
+
+    fn dragon() -> Ifs {
+        let side = 0.5_f64.sqrt();
+        let maps = [(45.0_f64, DVec2::ZERO), (135.0, DVec2::X)];
+        Ifs::new(maps.map(|(turn, to)| Affine2::similitude(side, turn.to_radians(), to)).to_vec())
+            .expect("a dragon")
     }
 
     fn gasket() -> Ifs {

@@ -31,8 +31,8 @@
 //!    Where pieces overlap without end it goes over to a [`Flood`] of points on a grid. With this [`rasterize`] is
 //!    complete.
 //!    [`rasterize_directed`] draws shapes of several states.
-//! 4. A [`Plan`] is the same picture as points that a graphics card places; a [`Density`] spreads samples after the
-//!    measure.
+//! 4. A [`Plan`] is the same picture as points that a graphics card places; [`PlacedPoints`] tells which pixels they
+//!    light, so that a sweep finds the others. A [`Density`] spreads samples after the measure.
 //! 5. [`bent`] draws what a [`Bend`](frond_deform::Bend) deforms: in pieces that are even in themselves. `sheet` does
 //!    it to a photograph.
 //! 6. [`solid`] is space: a [`Traversal`](solid::Traversal) leaves a depth buffer, which is shaded; points are splats.
@@ -86,7 +86,7 @@ pub use pieces::cut::{Piece, cut};
 pub use pieces::frame::Frame;
 pub use pieces::letters::{CODES, KEPT, Letters};
 pub use pieces::measure::Sample;
-pub use plan::{Batch, Detail, Plan};
+pub use plan::{Batch, Detail, PlacedPoints, Plan};
 pub use points::{Instance, Vertex};
 pub use raster::{MAX_SIDE, RasterOptions, RenderError, codes, rasterize, rasterize_bent, rasterize_unbent};
 pub use sheet::{BentSheet, Level, Photo, PhotoError, Sheet, SheetOptions, draw_sheet};

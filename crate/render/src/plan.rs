@@ -1,9 +1,12 @@
 //! What to draw for a picture: clouds, and pieces that place them.
 
+mod placed;
+
 use std::ops::Range;
 
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
+pub use placed::PlacedPoints;
 
 use crate::coverage::flood::Flood;
 use crate::coverage::sweep::{Sweep, Walk};

@@ -44,6 +44,9 @@ pub type Sides = [f32; 4];
 const COUNT_BIT: u32 = 18;
 
 impl Vertex {
+    /// The middle of a cloud.
+    pub const DOT: Self = Self { position: [0.0; 2], letters: 0, mass: 1.0 };
+
     /// A point of a cloud.
     #[must_use]
     pub fn new(position: [f32; 2], letters: Letters, mass: f32) -> Self {
@@ -67,17 +70,37 @@ impl Instance {
         }
     }
 
-    /// The pixel that a point of a cloud falls on under this piece, if it is in the window.
+    /// One point in the middle of a pixel, with a code: to be drawn of the vertex [`Vertex::DOT`].
     #[must_use]
-    pub fn place(&self, vertex: &Vertex, sides: &Sides, window: Window) -> Option<(u32, u32)> {
+    pub fn dot((x, y): (u32, u32), code: u32) -> Self {
+        let packed = code.saturating_sub(1);
+        Self {
+            linear: [0.0; 4],
+            translation: [x as f32 + 0.5, y as f32 + 0.5],
+            letters: packed & ((1 << COUNT_BIT) - 1),
+            mass: 1.0,
+            twist: [0.0; 2],
+            tint: packed,
+        }
+    }
+
+    /// Where a point of a cloud is put by this piece, in pixels.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, vertex: &Vertex, sides: &Sides) -> [f32; 2] {
         let [x, y] = vertex.position;
         let [a, b, c, d] = self.linear;
         let turn = (sides[0] * x + sides[1] * y) * (sides[2] * x + sides[3] * y);
-        let pixel = [
+        [
             a * x + b * y + self.translation[0] + self.twist[0] * turn,
             c * x + d * y + self.translation[1] + self.twist[1] * turn,
         ]
-        .map(f32::floor);
+    }
+
+    /// The pixel that a point of a cloud falls on under this piece, if it is in the window.
+    #[must_use]
+    pub fn place(&self, vertex: &Vertex, sides: &Sides, window: Window) -> Option<(u32, u32)> {
+        let pixel = self.at(vertex, sides).map(f32::floor);
         let inside = pixel[0] >= 0.0
             && pixel[1] >= 0.0
             && pixel[0] < window.width as f32
@@ -105,9 +128,22 @@ const _: () = assert!(KEPT as u32 * 6 == COUNT_BIT, "three letters of six bits l
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::picture::colour::code_of_colour;
 
     fn word(letters: &[usize]) -> Letters {
         letters.iter().fold(Letters::NONE, |word, &letter| word.then(letter))
+    }
+
+    #[test]
+    fn dots_lie_in_their_pixel_and_have_their_code_whatever_it_is() {
+        let window = Window { width: 8, height: 8 };
+        for code in [word(&[9, 63, 20, 4]).code(), word(&[0]).code(), code_of_colour(0x00ff_ee01)] {
+            let dot = Instance::dot((3, 7), code);
+            assert_eq!(dot.place(&Vertex::DOT, &[1.0; 4], window), Some((3, 7)));
+            // Either is what the shader takes, with colours of their own or without.
+            assert!(dot.code(&Vertex::DOT) == code || dot.tint + 1 == code);
+            assert!(Instance::depth(dot.code(&Vertex::DOT)) <= 1.0);
+        }
     }
 
     #[test]

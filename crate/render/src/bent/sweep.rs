@@ -60,6 +60,17 @@ impl BentSweep {
         self.lit.reset(bent.window);
         self.codes.clear();
         self.codes.resize(bent.window.area(), 0);
+        self.set(bent, detail, coloured);
+    }
+
+    /// Begins a picture on which some pixels are lit already: those that stay dark are swept, by [`BentSweep::find`].
+    pub fn begin_on(&mut self, bent: &Bent<'_>, detail: f64, coloured: bool, lit: &Bitmap) {
+        self.lit.clone_from(lit);
+        self.codes = Vec::new();
+        self.set(bent, detail, coloured);
+    }
+
+    fn set(&mut self, bent: &Bent<'_>, detail: f64, coloured: bool) {
         self.stack.clear();
         self.stack.push(Node::Piece { cursor: bent.bend.whole(), letters: Letters::NONE, depth: 0 });
         (self.detail, self.coloured) = (detail, coloured);
@@ -68,6 +79,18 @@ impl BentSweep {
 
     /// Visits at most so many pieces of what it began with.
     pub fn run(&mut self, bent: &Bent<'_>, visits: u64) -> Progress {
+        let (mut codes, width) = (std::mem::take(&mut self.codes), bent.window.width as usize);
+        let progress = self.find(bent, visits, &mut |(x, y), code| {
+            if let Some(place) = codes.get_mut(y as usize * width + x as usize) {
+                *place = code;
+            }
+        });
+        self.codes = codes;
+        progress
+    }
+
+    /// The same, which tells the pixels that become lit, with their codes, and keeps none.
+    pub fn find(&mut self, bent: &Bent<'_>, visits: u64, light: &mut dyn FnMut((u32, u32), u32)) -> Progress {
         let patience = MOST_VISITS.0 * self.lit.window().area() as u64 + MOST_VISITS.1;
         for _ in 0..visits {
             let Some(node) = self.stack.pop() else { return Progress::Complete };
@@ -76,15 +99,24 @@ impl BentSweep {
             }
             self.visited += 1;
             match node {
-                Node::Piece { cursor, letters, depth } => self.look(bent, &cursor, letters, depth),
-                Node::Part { placed, letters, tint } => self.visit(bent, &placed, letters, tint),
+                Node::Piece { cursor, letters, depth } => {
+                    self.look(bent, &cursor, letters, depth, light);
+                }
+                Node::Part { placed, letters, tint } => self.visit(bent, &placed, letters, tint, light),
             }
         }
         if self.stack.is_empty() { Progress::Complete } else { Progress::Working }
     }
 
     /// Looks at a piece that may be bent in itself.
-    fn look(&mut self, bent: &Bent<'_>, cursor: &Cursor, letters: Letters, depth: usize) {
+    fn look(
+        &mut self,
+        bent: &Bent<'_>,
+        cursor: &Cursor,
+        letters: Letters,
+        depth: usize,
+        light: &mut dyn FnMut((u32, u32), u32),
+    ) {
         let size = if self.coloured { COLOURED_SIZE } else { f64::INFINITY };
         let (verdict, extent) = bent.judge(cursor, depth, 1.0, &Fineness::complete(size));
         if extent.is_none_or(|extent| self.lit.all(extent.pixels)) {
@@ -94,7 +126,7 @@ impl BentSweep {
             Verdict::Outside => {}
             Verdict::Whole(placed) | Verdict::Rough(placed) => {
                 let tint = if self.coloured { bent.tint(cursor) } else { 0 };
-                self.visit(bent, &placed, letters, tint);
+                self.visit(bent, &placed, letters, tint, light);
             }
             Verdict::Split => {
                 self.stack.extend((0..bent.frame.maps.len()).map(|letter| Node::Piece {
@@ -107,17 +139,24 @@ impl BentSweep {
     }
 
     /// Drops a part, lights its pixel, or puts its own parts on the stack.
-    fn visit(&mut self, bent: &Bent<'_>, placed: &Placed, letters: Letters, tint: u32) {
+    fn visit(
+        &mut self,
+        bent: &Bent<'_>,
+        placed: &Placed,
+        letters: Letters,
+        tint: u32,
+        light: &mut dyn FnMut((u32, u32), u32),
+    ) {
         let Some(extent) = self.lit.window().extent_within(&placed.map, placed.wobble()) else { return };
         if self.lit.all(extent.pixels) {
             return;
         }
         if extent.size <= self.detail || extent.one_pixel() {
             let code = if self.coloured { code_of_colour(tint) } else { letters.code() };
-            self.light(placed.at(bent.frame.anchor), code);
+            self.light(placed.at(bent.frame.anchor), code, light);
             if !extent.one_pixel() {
                 for tip in &bent.frame.tips {
-                    self.light(placed.at(*tip), code);
+                    self.light(placed.at(*tip), code, light);
                 }
             }
             return;
@@ -130,11 +169,11 @@ impl BentSweep {
         }));
     }
 
-    fn light(&mut self, point: DVec2, code: u32) {
+    fn light(&mut self, point: DVec2, code: u32, light: &mut dyn FnMut((u32, u32), u32)) {
         let Some(pixel) = self.lit.window().pixel(point) else { return };
         if self.lit.set(pixel) {
             self.count += 1;
-            self.codes[self.lit.index(pixel)] = code;
+            light(pixel, code);
         }
     }
 

@@ -6,7 +6,7 @@ use crate::coverage::sweep::Progress;
 use crate::density::Density;
 use crate::picture::bitmap::Bitmap;
 use crate::picture::colour::Colours;
-use crate::plan::Detail;
+use crate::plan::{Detail, PlacedPoints};
 use crate::raster::{RasterOptions, rasterize};
 use crate::testing::{ifs, of_rows};
 
@@ -286,6 +286,26 @@ fn without_displacements_it_is_the_attractor_itself() {
         sweep.run(&bent, u64::MAX);
         let same = codes.iter().zip(sweep.codes().0).filter(|(a, b)| a == b).count();
         assert!(same * 500 > codes.len() * 499, "{name}: {same} of {}", codes.len());
+    }
+}
+
+#[test]
+fn with_what_a_sweep_finds_in_the_dark_a_coarse_plan_is_complete() {
+    for name in ["right gasket", "fern", "twindragon"] {
+        let subject = Subject::plain(name, 0.1, settings(1.0, 5.0, 0.6, Spin::None));
+        let mut placed = PlacedPoints::new(WINDOW);
+        assert!(placed.go_on(&planned(&subject, Detail::LADDER[0]).plan, u64::MAX));
+        let (bent, mut rest) = (subject.bent(), BentSweep::new());
+        rest.begin_on(&bent, 0.0625, false, placed.lit());
+        let mut seen = placed.lit().clone();
+        let progress = rest.find(&bent, u64::MAX, &mut |pixel, code| assert!(code > 0 && seen.set(pixel)));
+        assert_eq!(progress, Progress::Complete, "{name}");
+        let whole = subject.swept();
+        let missed = pixels().filter(|at| whole.get(*at) && !seen.get(*at)).count();
+        let extra = pixels().filter(|at| !whole.get(*at) && seen.get(*at)).count();
+        assert_eq!(missed, 0, "{name} of {}", whole.count());
+        assert!(extra * 50 < whole.count(), "{name}: {extra} of {} too many", whole.count());
+        assert!(placed.lit().count() < seen.count(), "{name}: this tests nothing");
     }
 }
 

@@ -71,6 +71,14 @@ impl Sweep {
         sweep
     }
 
+    /// Begins another picture in the same memory, on which some pixels are lit already: those that stay dark are
+    /// swept. With what was lit it is as complete as a picture from nothing.
+    pub fn restart_on(&mut self, frame: &Frame, to_screen: Affine2, lit: &Bitmap, detail: f64) {
+        self.restart(frame, to_screen, lit.window(), detail);
+        self.canvas.lit.clone_from(lit);
+        self.canvas.count = lit.count() as u64;
+    }
+
     /// Begins another picture in the same memory.
     pub fn restart(&mut self, frame: &Frame, to_screen: Affine2, window: Window, detail: f64) {
         self.frame.clone_from(frame);
@@ -100,9 +108,14 @@ impl Sweep {
 
     /// Visits at most about `budget` pieces, reports each pixel that becomes lit, and says how far it got.
     pub fn run(&mut self, budget: u64, mut light: impl FnMut(Hit)) -> Progress {
+        self.run_for(budget, &mut light)
+    }
+
+    /// The same, compiled once for whatever is told of the pixels: a module that is sent is smaller so.
+    fn run_for(&mut self, budget: u64, mut light: &mut dyn FnMut(Hit)) -> Progress {
         let end = self.visited.saturating_add(budget);
         if self.probe.is_none() {
-            match self.walk(budget, &mut light) {
+            match self.walk_for(budget, light) {
                 Walk::Complete => return Progress::Complete,
                 Walk::Working => return Progress::Working,
                 Walk::Stuck => self.probe = Some(Probe::new(&self.frame, self.root, &self.canvas.lit)),
@@ -122,6 +135,10 @@ impl Sweep {
 
     /// The same without going over to a probe.
     pub(crate) fn walk(&mut self, budget: u64, mut light: impl FnMut(Hit)) -> Walk {
+        self.walk_for(budget, &mut light)
+    }
+
+    fn walk_for(&mut self, budget: u64, mut light: &mut dyn FnMut(Hit)) -> Walk {
         let end = self.visited.saturating_add(budget);
         let window = self.canvas.lit.window();
         let whole = 2.0 * f64::from(window.width.max(window.height));

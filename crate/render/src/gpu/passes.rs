@@ -3,6 +3,7 @@
 pub mod cpu;
 pub mod deformed;
 pub mod density;
+pub mod fill;
 pub mod image;
 pub mod plain;
 pub mod points;

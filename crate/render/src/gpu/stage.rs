@@ -38,9 +38,10 @@ pub struct Drawn {
 /// allows: fewer and larger ones where it is small. When they rest, the next calls draw the complete picture
 /// aside and show it when it is ready.
 ///
-/// Pictures are points, drawn by the graphics card. Where an attractor overlaps itself so much that points
-/// would be drawn without end, or where there is no card and each point is dear, they are swept on the
-/// processor instead, which lights each pixel but once.
+/// Pictures are points, drawn by the graphics card. At rest the pixels that lie between them are found by a sweep on
+/// the processor, and lit one by one, so that the picture is as complete as one that is all swept. Where an
+/// attractor overlaps itself so much that points would be drawn without end, or where there is no card and each
+/// point is dear, they are swept on the processor instead, which lights each pixel but once.
 #[derive(Debug)]
 pub struct Stage {
     state: StageState,

@@ -14,8 +14,10 @@ use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
 use crate::raster::MAX_SIDE;
 
-/// The most points of a complete picture.
+/// The most points of a complete picture, and of one that has finer ones than the coarsest: they tell better which map
+/// lies on top, and what they miss is filled in either case.
 pub(super) const MOST_POINTS: u64 = 32_000_000;
+pub(super) const MOST_FINE_POINTS: u64 = 6_000_000;
 /// Visits of a sweep in each frame: some milliseconds. Twice that where nothing else is to be done.
 pub(super) const VISITS_A_FRAME: u64 = 150_000;
 /// How fine sweeps are, in pixels of what is drawn to: at once, and when complete.
@@ -53,6 +55,10 @@ pub(super) enum Work {
     Plan,
     /// To draw more of its points.
     Points,
+    /// To find out which pixels its points light.
+    Place,
+    /// To light those that they left dark.
+    Fill,
     /// To sweep more of its pixels.
     Sweep,
     /// To add samples to a density.

@@ -3,6 +3,7 @@
 use frond_core::Affine2;
 
 use crate::coverage::sweep::{Progress, Sweep};
+use crate::picture::bitmap::Bitmap;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
 
@@ -33,16 +34,31 @@ impl CpuPass {
         }
     }
 
+    /// Begins a picture on which some pixels are lit already, of which the others are to be found: see
+    /// [`CpuPass::find`].
+    pub fn begin_on(&mut self, frame: &Frame, to_target: Affine2, lit: &Bitmap, detail: f64) {
+        self.codes = Vec::new();
+        let window = lit.window();
+        let sweep = self.sweep.get_or_insert_with(|| Sweep::new(frame, to_target, window, detail));
+        sweep.restart_on(frame, to_target, lit, detail);
+    }
+
+    /// Visits more pieces, and tells which pixels become lit, with their codes.
+    pub fn find(&mut self, visits: u64, light: &mut dyn FnMut((u32, u32), u32)) -> Progress {
+        let Some(sweep) = &mut self.sweep else { return Progress::Complete };
+        sweep.run(visits, |hit| light(hit.pixel, hit.letters.code()))
+    }
+
     /// Visits more pieces.
     pub fn go_on(&mut self, visits: u64) -> Progress {
-        let Some(sweep) = &mut self.sweep else { return Progress::Complete };
-        let (codes, lit) = (&mut self.codes, &mut self.lit);
+        let (mut codes, mut lit) = (std::mem::take(&mut self.codes), self.lit);
         let width = self.window.width as usize;
-        sweep.run(visits, |hit| {
-            let (x, y) = hit.pixel;
-            codes[y as usize * width + x as usize] = hit.letters.code();
-            *lit += 1;
-        })
+        let progress = self.find(visits, &mut |(x, y), code| {
+            codes[y as usize * width + x as usize] = code;
+            lit += 1;
+        });
+        (self.codes, self.lit) = (codes, lit);
+        progress
     }
 
     /// Pieces visited so far.

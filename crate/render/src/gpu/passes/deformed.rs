@@ -7,8 +7,11 @@ use glam::DVec2;
 use crate::bent::{AnchorError, Bent, BentPlan, BentSweep, Cut, Fineness, Moving};
 use crate::coverage::sweep::Progress;
 use crate::density::Density;
+use crate::gpu::passes::fill::FillPass;
 use crate::gpu::passes::points::PointsPass;
-use crate::gpu::state::{MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work};
+use crate::gpu::state::{
+    MOST_FINE_POINTS, MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work,
+};
 use crate::gpu::target::Paint;
 use crate::picture::view::View;
 use crate::picture::window::Window;
@@ -37,6 +40,7 @@ pub(in crate::gpu) struct DeformedPass {
     pub back: BentPlan,
     /// At once, and complete, where there is no graphics card.
     pub sweeps: [BentSweep; 2],
+    fill: FillPass,
     /// Doublings of the smallest pieces, at once and complete, where there are too many.
     doublings: [u32; 2],
 }
@@ -113,8 +117,8 @@ const DENSE_POINTS: u64 = 400_000;
 impl DeformedPass {
     /// A bend, in the memory of another one.
     pub fn new(bend: Bend, memory: Option<Self>) -> Self {
-        let memory = memory.map(|m| (m.front, m.moving, m.followed, m.back, m.sweeps, m.doublings));
-        let (front, moving, followed, back, sweeps, doublings) = memory.unwrap_or_default();
+        let memory = memory.map(|m| (m.front, m.moving, m.followed, m.back, m.sweeps, m.fill, m.doublings));
+        let (front, moving, followed, back, sweeps, fill, doublings) = memory.unwrap_or_default();
         let mesh = bend.mesh().displacements().to_vec();
         let quick = BentShape { bend, anchor_error: None };
         Self {
@@ -128,6 +132,7 @@ impl DeformedPass {
             made: None,
             back,
             sweeps,
+            fill,
             doublings,
         }
     }
@@ -267,7 +272,20 @@ impl DeformedPass {
                     back,
                     budget,
                 ) {
-                    state.finish(Shown::Back, plan.exact, plan.points());
+                    self.fill.begin(state, plan.points());
+                }
+            }
+            Work::Place | Work::Fill => {
+                let Self { quick, fine, back, sweeps: [_, sweep], fill, .. } = self;
+                let target_view = target_view(state, view, state.sampling);
+                let Some(bent) = target_view.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
+                if state.work == Work::Fill {
+                    let progress =
+                        sweep.find(&bent, VISITS_A_FRAME, &mut |pixel, code| fill.light(pixel, code));
+                    fill.draw(state, &back.plan, progress);
+                } else if let Some(lit) = fill.place(&back.plan) {
+                    sweep.begin_on(&bent, SWEEP_SIZES.1, coloured, lit);
+                    state.work = Work::Fill;
                 }
             }
             Work::Sweep => {
@@ -425,6 +443,7 @@ impl DeformedPass {
                 break;
             }
             finest = Some(detail);
+            most = most.min(MOST_FINE_POINTS);
             if points * 3 > most || back.plan.vertices.len() > 60_000 {
                 break;
             }

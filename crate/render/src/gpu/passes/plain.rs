@@ -5,7 +5,10 @@ use frond_core::Colouring;
 use crate::coverage::sweep::Progress;
 use crate::gpu::passes::cpu::CpuPass;
 use crate::gpu::passes::density::DensityPass;
-use crate::gpu::state::{MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work};
+use crate::gpu::passes::fill::FillPass;
+use crate::gpu::state::{
+    MOST_FINE_POINTS, MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work,
+};
 use crate::gpu::target::Paint;
 use crate::picture::view::View;
 use crate::picture::window::Window;
@@ -18,11 +21,12 @@ pub(in crate::gpu) struct PlainPass {
     plan: Plan,
     /// At once, and complete.
     swept: [CpuPass; 2],
+    fill: FillPass,
 }
 
 impl PlainPass {
     pub fn new() -> Self {
-        Self { plan: Plan::default(), swept: [CpuPass::new(), CpuPass::new()] }
+        Self { plan: Plan::default(), swept: [CpuPass::new(), CpuPass::new()], fill: FillPass::default() }
     }
 
     /// What was swept, at once or when complete: its codes and the window they are of.
@@ -55,8 +59,20 @@ impl PlainPass {
                     back,
                     budget,
                 ) {
-                    state.finish(Shown::Back, self.plan.exact, self.plan.points());
+                    self.fill.begin(state, self.plan.points());
                 }
+            }
+            Work::Place => {
+                if let Some(lit) = self.fill.place(&self.plan) {
+                    let to_target = state.to_target(frame, view, state.sampling);
+                    self.swept[1].begin_on(frame, to_target, lit, SWEEP_SIZES.1);
+                    state.work = Work::Fill;
+                }
+            }
+            Work::Fill => {
+                let Self { plan, swept: [_, swept], fill } = self;
+                let progress = swept.find(VISITS_A_FRAME, &mut |pixel, code| fill.light(pixel, code));
+                fill.draw(state, plan, progress);
             }
             Work::Sweep => {
                 let progress =
@@ -132,6 +148,7 @@ impl PlainPass {
                 break;
             }
             finest = Some(detail);
+            most = most.min(MOST_FINE_POINTS);
             // The next would have two to four times as many.
             if points * 3 > most || self.plan.vertices.len() > 60_000 {
                 break;

@@ -4,6 +4,7 @@ use crate::gpu::device::Gpu;
 use crate::gpu::interface::{Buffer, Usage};
 use crate::gpu::target::{Paint, Target};
 use crate::plan::{Batch, Plan};
+use crate::points::{Instance, Vertex};
 
 /// A [`Plan`] that is drawn, all at once or bit by bit.
 #[derive(Debug)]
@@ -40,6 +41,14 @@ impl PointsPass {
         target.draw(gpu, paint, self.clear, &self.vertices, &self.instances, &portion);
         self.clear = false;
         self.next.0 >= plan.batches.len()
+    }
+
+    /// Draws dots on what was drawn before, once all points are.
+    pub fn dots(&mut self, gpu: &Gpu, paint: Paint<'_>, target: &Target, dots: &[Instance]) {
+        self.vertices.fill(&gpu.card, &[Vertex::DOT]);
+        self.instances.fill(&gpu.card, dots);
+        let all = Batch { vertices: 0..1, instances: 0..dots.len() as u32 };
+        target.draw(gpu, paint, false, &self.vertices, &self.instances, &[all]);
     }
 
     /// The batches of the next points.
