@@ -57,6 +57,7 @@ mod measure {
                         best.whole()
                     );
                 }
+                println!("    as the page goes on: {}", adapted(&gpu, first, &morph, &grid, epsilon, runs));
                 let samples: Vec<Sample> = answers.iter().copied().map(unpack_single).collect();
                 let left = samples.iter().filter(|sample| sample.state == State::Undecided).count();
                 let settle = milliseconds(|| settle(&morph, &grid, epsilon, &samples));
@@ -91,6 +92,27 @@ mod measure {
         let begun = begun.expect("it was begun");
         let back = milliseconds(|| *answers = pollster::block_on(begun.answers()).expect("an answer"));
         Times([prepare, begin, card, back])
+    }
+
+    /// Jobs one after the other, in commands that grow as the card turns out to be quick: milliseconds, and how many
+    /// samples a command had.
+    fn adapted(
+        gpu: &LocusGpu,
+        first: u32,
+        morph: &Morph,
+        grid: &LocusGrid,
+        epsilon: f64,
+        runs: usize,
+    ) -> String {
+        gpu.at_once.set(first);
+        let mut told = Vec::new();
+        for _ in 0..runs {
+            let at_once = gpu.at_once.get();
+            let times = run(gpu, morph, grid, epsilon, &mut Vec::new());
+            gpu.took(grid.width() * grid.height(), times.whole());
+            told.push(format!("{:.1} ms ({at_once})", times.whole()));
+        }
+        told.join(", ")
     }
 
     fn settle(morph: &Morph, grid: &LocusGrid, epsilon: f64, samples: &[Sample]) {
