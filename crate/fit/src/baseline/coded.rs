@@ -176,10 +176,7 @@ pub fn bezier_within(outline: &Outline, bytes: usize) -> Option<Vec<DVec2>> {
                 let [a, b, c, d] = whole[i];
                 [(b - a.lerp(d, 1.0 / 3.0), d - a), (c - a.lerp(d, 2.0 / 3.0), d - a)]
             };
-            let of_ends = StepLaw::of(chords.clone());
-            let of_handles = StepLaw::of((0..count).flat_map(handles));
-            let bits = chords.map(|(a, b)| of_ends.bits(a, b)).sum::<f64>()
-                + (0..count).flat_map(handles).map(|(a, b)| of_handles.bits(a, b)).sum::<f64>();
+            let bits = StepLaw::told(chords) + StepLaw::told((0..count).flat_map(handles));
             if bits + 2.0 * STEPS_BITS + COUNT_BITS + FIRST_BITS > 8.0 * bytes as f64 {
                 break;
             }

@@ -3,13 +3,16 @@
 //! What is written has to be read anywhere: shares are computed by sums, products, quotients and roots alone, which are
 //! the same on every machine.
 
+mod former;
+
 use std::f64::consts::{LN_2, TAU};
 
 use glam::DVec2;
 
-/// Widths and turns that are written.
+pub use former::{FormerTable, TURNS};
+
+/// Widths that are written.
 pub const WIDTHS: u64 = 80;
-pub const TURNS: u64 = 20;
 
 /// Widths that double.
 const OCTAVE: u64 = 8;
@@ -24,53 +27,193 @@ const WIDER: f64 = 1.090_507_732_665_257_7;
 /// The sum of shares.
 pub const ALL: u64 = 1 << 24;
 
-/// A law of steps on a grid of width 1: the density falls with the length r of a step as exp(-r (1 - k cos a) / s),
-/// where a is the angle to the step before it. Its integral over the plane is 2 pi s² / (1 - k²)^(3/2).
+/// How lengths of steps are spread: the density is as r^near exp(-(r/s)^(halves / 2)).
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Spread {
+    near: i32,
+    halves: i32,
+    /// The gamma function at (near + 2) / (halves / 2).
+    gamma: f64,
+}
+
+const fn spread(near: i32, halves: i32, gamma: f64) -> Spread {
+    Spread { near, halves, gamma }
+}
+
+const SPREADS: [Spread; 8] = [
+    spread(0, 2, 1.0),
+    spread(0, 3, 0.892_979_511_569_249),
+    spread(0, 4, 1.0),
+    spread(1, 2, 2.0),
+    spread(1, 3, 1.0),
+    spread(1, 4, 0.886_226_925_452_758),
+    spread(2, 3, 1.504_575_488_251_556),
+    spread(2, 4, 1.0),
+];
+
+/// How many spreads there are.
+pub const MANY_SPREADS: u64 = SPREADS.len() as u64;
+
+impl Spread {
+    /// x^(halves / 2).
+    fn power(self, x: f64) -> f64 {
+        match self.halves {
+            2 => x,
+            3 => x * x.sqrt(),
+            _ => x * x,
+        }
+    }
+
+    /// The number that has this power.
+    fn root(self, x: f64) -> f64 {
+        match self.halves {
+            2 => x,
+            3 => x.powf(2.0 / 3.0),
+            _ => x.sqrt(),
+        }
+    }
+
+    fn near(self, r: f64) -> f64 {
+        match self.near {
+            0 => 1.0,
+            1 => r,
+            _ => r * r,
+        }
+    }
+}
+
+/// Sectors of the angle between a step and the one before it.
+const SECTORS: usize = 16;
+
+/// The tangent of an eighth of a half turn.
+const TAN: f64 = 0.414_213_562_373_095_03;
+
+/// Which sector a step is in, in order from behind to the right, ahead, to the left and behind; none where it or the
+/// one before is none.
+fn sector(step: DVec2, before: DVec2) -> Option<usize> {
+    let (ahead, left) = (before.dot(step), before.x * step.y - before.y * step.x);
+    let (x, y) = (ahead.abs(), left.abs());
+    if x == 0.0 && y == 0.0 {
+        return None;
+    }
+    let eighth = usize::from(y >= TAN * x) + usize::from(y >= x) + usize::from(TAN * y >= x);
+    let off = if ahead > 0.0 { eighth } else { 7 - eighth };
+    Some(if left >= 0.0 { 8 + off } else { 7 - off })
+}
+
+/// How often steps were in each sector so far: what comes next is guessed by that.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Turns {
+    counts: [u32; SECTORS],
+}
+
+impl Turns {
+    /// Nothing is known yet.
+    pub fn new() -> Self {
+        Self { counts: [1; SECTORS] }
+    }
+
+    /// A step more, behind another one.
+    pub fn count(&mut self, step: DVec2, before: DVec2) {
+        if let Some(sector) = sector(step, before) {
+            self.counts[sector] += 4;
+        }
+    }
+
+    /// How many times as likely as all alike each sector is. Neighbours are like each other.
+    fn weights(&self) -> [f64; SECTORS] {
+        let all: u32 = self.counts.iter().sum();
+        std::array::from_fn(|i| {
+            let at = |k: usize| self.counts[k % SECTORS];
+            let share = 2 * at(i) + at(i + 1) + at(i + SECTORS - 1);
+            f64::from(share) * (SECTORS / 4) as f64 / f64::from(all)
+        })
+    }
+}
+
+/// A law of steps on a grid of width 1: how long they are, and how they turn from the one before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepLaw {
-    /// Which width s, which turn k = turn / 20.
+    /// Which width s, and which spread.
     pub(crate) width: u64,
-    pub(crate) turn: u64,
+    pub(crate) spread: u64,
+    kind: Spread,
     s: f64,
-    k: f64,
     base: f64,
+    /// Bits of each power of a length: one over the power of s, in bits.
+    fall: f64,
+    /// Bits of each sector, beside those of all alike.
+    turns: [f64; SECTORS],
 }
 
 impl StepLaw {
-    pub(crate) fn new(width: u64, turn: u64) -> Self {
+    pub(crate) fn new(width: u64, spread: u64) -> Self {
+        let kind = SPREADS[(spread % MANY_SPREADS) as usize];
         let s = (0..width).fold(NARROWEST, |s, _| s * WIDER);
-        let k = turn as f64 / TURNS as f64;
-        Self { width, turn, s, k, base: (TAU * s * s / (1.0 - k * k).powf(1.5)).log2() }
+        let area = TAU * s.powi(kind.near + 2) * kind.gamma / (0.5 * f64::from(kind.halves));
+        let fall = 1.0 / (kind.power(s) * LN_2);
+        Self { width, spread, kind, s, base: area.log2(), fall, turns: [0.0; SECTORS] }
     }
 
     /// The law by which these steps take the fewest bits, each with the one before it.
     #[must_use]
     pub fn of(pairs: impl Iterator<Item = (DVec2, DVec2)>) -> Self {
-        let (mut long, mut ahead, mut many) = (0.0, 0.0, 0.0);
+        let (mut powers, mut logs, mut many) = ([0.0; 3], 0.0, 0.0);
+        let mut turns = Turns::new();
         for (step, before) in pairs {
-            long += step.length();
-            ahead += step.dot(before.normalize_or_zero());
+            let r = step.length();
+            powers[0] += r;
+            powers[1] += r * r.sqrt();
+            powers[2] += r * r;
+            logs += r.max(0.5).log2();
             many += 1.0;
+            turns.count(step, before);
         }
-        let law = |turn: u64| {
-            let k = turn as f64 / TURNS as f64;
-            let s = 0.5 * (long - k * ahead) / f64::max(many, 1.0);
+        let law = |spread: u64| {
+            let kind = SPREADS[spread as usize];
+            let mean = powers[kind.halves as usize - 2] / f64::max(many, 1.0);
+            let s = kind.root(0.5 * f64::from(kind.halves) * mean / f64::from(kind.near + 2));
             let width = ((s / NARROWEST).max(1.0).log2() * 8.0).round().clamp(0.0, WIDEST);
-            Self::new(width as u64, turn)
+            Self::new(width as u64, spread)
         };
-        let bits = |law: &Self| many * law.base + (long - law.k * ahead) / (law.s * LN_2);
-        (0..TURNS).map(law).min_by(|a, b| bits(a).total_cmp(&bits(b))).unwrap_or_else(|| law(0))
+        let bits = |law: &Self| {
+            many * law.base - f64::from(law.kind.near) * logs
+                + powers[law.kind.halves as usize - 2] * law.fall
+        };
+        let best = (0..MANY_SPREADS).map(law).min_by(|a, b| bits(a).total_cmp(&bits(b)));
+        let turns = turns.weights().map(|weight| -weight.log2());
+        Self { turns, ..best.unwrap_or_else(|| law(0)) }
+    }
+
+    /// About how many bits these steps take, each with the one before it, where it is learned on the way how they turn.
+    #[must_use]
+    pub fn told(pairs: impl Iterator<Item = (DVec2, DVec2)> + Clone) -> f64 {
+        let law = Self::of(pairs.clone());
+        let mut turns = Turns::new();
+        pairs
+            .map(|(step, before)| {
+                let turn = sector(step, before).map_or(0.0, |i| turns.weights()[i].log2());
+                turns.count(step, before);
+                law.length_bits(step) - turn
+            })
+            .sum()
     }
 
     /// The law of the same steps in cells of 2^k each way.
     pub(crate) fn of_cells(&self, k: u32) -> Self {
-        Self::new(self.width.saturating_sub(OCTAVE * u64::from(k)).min(WIDTHS - 1), self.turn)
+        Self::new(self.width.saturating_sub(OCTAVE * u64::from(k)).min(WIDTHS - 1), self.spread)
+    }
+
+    fn length_bits(&self, step: DVec2) -> f64 {
+        let r = step.length();
+        let bits = self.base + self.kind.power(r) * self.fall;
+        if self.kind.near == 0 { bits } else { bits - f64::from(self.kind.near) * r.max(0.5).log2() }
     }
 
     /// About how many bits a step takes, behind another one.
     #[must_use]
     pub fn bits(&self, step: DVec2, before: DVec2) -> f64 {
-        self.base + (step.length() - self.k * step.dot(before.normalize_or_zero())) / (self.s * LN_2)
+        self.length_bits(step) + sector(step, before).map_or(0.0, |sector| self.turns[sector])
     }
 }
 
@@ -87,46 +230,46 @@ fn exp(x: f64) -> f64 {
 /// The shares of steps by a law that are no wider than `most` in x and y.
 #[derive(Clone, Debug)]
 pub struct Table {
-    law: StepLaw,
     most: i64,
+    /// How they turned so far.
+    turns: Turns,
     falls: Vec<f64>,
     weights: Vec<f64>,
-    along: Vec<f64>,
 }
 
 impl Table {
     pub fn new(law: StepLaw, most: i64) -> Self {
-        let wide = (2 * most + 1) as usize;
-        let fall = |x: i64, y: i64| exp(-((x * x + y * y) as f64).sqrt() / law.s);
-        let falls = (-most..=most).flat_map(|x| (-most..=most).map(move |y| fall(x, y))).collect();
-        Self { law, most, falls, weights: Vec::new(), along: vec![0.0; wide] }
+        let scale = 1.0 / law.kind.power(law.s);
+        let fall = |x: i64, y: i64| {
+            let r = ((x * x + y * y) as f64).sqrt();
+            law.kind.near(r) * exp(-law.kind.power(r) * scale)
+        };
+        let falls: Vec<f64> = (-most..=most).flat_map(|x| (-most..=most).map(move |y| fall(x, y))).collect();
+        Self { most, turns: Turns::new(), weights: falls.clone(), falls }
     }
 
     /// Prepares for a step after this one: the shares of each x.
     pub fn columns(&mut self, before: DVec2) -> Vec<u64> {
-        let length = (before.x * before.x + before.y * before.y).sqrt();
-        let way = if length > 0.0 { before * (self.law.k / (self.law.s * length)) } else { DVec2::ZERO };
-        let wide = self.along.len();
+        let turns = self.turns.weights();
         let most = self.most;
-        for (y, along) in (-most..=most).zip(&mut self.along) {
-            *along = exp(y as f64 * way.y);
+        let places = (-most..=most).flat_map(|x| (-most..=most).map(move |y| DVec2::new(x as f64, y as f64)));
+        for ((weight, fall), place) in self.weights.iter_mut().zip(&self.falls).zip(places) {
+            *weight = sector(place, before).map_or(*fall, |sector| fall * turns[sector]);
         }
-        self.weights.resize(wide, 0.0);
-        for (i, x) in (-most..=most).enumerate() {
-            let row = &self.falls[i * wide..(i + 1) * wide];
-            let sum: f64 = row.iter().zip(&self.along).map(|(fall, along)| fall * along).sum();
-            self.weights[i] = sum * exp(x as f64 * way.x);
-        }
-        shares(&self.weights)
+        let wide = (2 * most + 1) as usize;
+        let sums: Vec<f64> = self.weights.chunks_exact(wide).map(|row| row.iter().sum()).collect();
+        shares(&sums)
     }
 
     /// The shares of each y, for an x counted from the left.
-    pub fn rows(&mut self, column: usize) -> Vec<u64> {
-        let wide = self.along.len();
-        let row = &self.falls[column * wide..(column + 1) * wide];
-        self.weights.clear();
-        self.weights.extend(row.iter().zip(&self.along).map(|(fall, along)| fall * along));
-        shares(&self.weights)
+    pub fn rows(&self, column: usize) -> Vec<u64> {
+        let wide = (2 * self.most + 1) as usize;
+        shares(&self.weights[column * wide..(column + 1) * wide])
+    }
+
+    /// The step that it was, behind another one.
+    pub fn count(&mut self, step: DVec2, before: DVec2) {
+        self.turns.count(step, before);
     }
 }
 
@@ -154,24 +297,46 @@ mod tests {
 
     #[test]
     fn shares_say_what_the_law_does() {
-        for before in [DVec2::ZERO, DVec2::new(3.0, -2.0), DVec2::new(0.0, 40.0)] {
-            let law = StepLaw::new(28, 12);
+        for (width, spread) in [(28, 0), (30, 4), (34, 7)] {
+            let law = StepLaw::new(width, spread);
             let mut table = Table::new(law, 90);
-            let columns = table.columns(before);
-            assert!(columns.is_sorted() && columns[181] == ALL);
-            for step in [DVec2::new(0.0, 0.0), DVec2::new(5.0, -3.0), DVec2::new(-8.0, 1.0)] {
-                let (i, j) = ((step.x + 90.0) as usize, (step.y + 90.0) as usize);
-                let rows = table.rows(i);
-                let part = |sums: &[u64], i: usize| (sums[i + 1] - sums[i]) as f64 / ALL as f64;
-                let bits = -(part(&columns, i) * part(&rows, j)).log2();
-                let told = if before == DVec2::ZERO {
-                    law.bits(step, before) - 0.97
-                } else {
-                    law.bits(step, before)
-                };
-                assert!((bits - told).abs() < 0.1, "{before} {step}: {bits} {told}");
+            for before in [DVec2::ZERO, DVec2::new(3.0, -2.0), DVec2::new(0.0, 40.0)] {
+                let columns = table.columns(before);
+                assert!(columns.is_sorted() && columns[181] == ALL);
+                for step in [DVec2::new(5.0, -3.0), DVec2::new(-8.0, 1.0)] {
+                    let (i, j) = ((step.x + 90.0) as usize, (step.y + 90.0) as usize);
+                    let rows = table.rows(i);
+                    let part = |sums: &[u64], i: usize| (sums[i + 1] - sums[i]) as f64 / ALL as f64;
+                    let bits = -(part(&columns, i) * part(&rows, j)).log2();
+                    let told = law.bits(step, before);
+                    assert!((bits - told).abs() < 0.15, "{spread} {before} {step}: {bits} {told}");
+                }
             }
         }
+    }
+
+    #[test]
+    fn sectors_are_even_and_in_order() {
+        for turn in [0.0, 0.7, 2.9] {
+            let before = DVec2::from_angle(turn) * 7.0;
+            for i in 0..SECTORS {
+                let angle = (i as f64 + 0.5 - 8.0) * TAU / 16.0;
+                assert_eq!(sector(DVec2::from_angle(angle + turn) * 0.3, before), Some(i));
+            }
+            assert_eq!(sector(DVec2::ZERO, before), None);
+        }
+        assert_eq!(sector(DVec2::ONE, DVec2::ZERO), None);
+    }
+
+    #[test]
+    fn what_turns_always_the_same_way_takes_fewer_bits() {
+        let ring: Vec<DVec2> = (0..60).map(|i| DVec2::from_angle(0.3 * f64::from(i)) * 9.0).collect();
+        let pairs = ring.windows(2).map(|w| (w[1], w[0]));
+        let law = StepLaw::of(pairs.clone());
+        let each: f64 = pairs.clone().map(|(step, before)| law.bits(step, before)).sum();
+        let told = StepLaw::told(pairs.clone());
+        let alike: f64 = pairs.map(|(step, _)| law.length_bits(step)).sum();
+        assert!(each < told && told < alike - 80.0, "{each} {told} {alike}");
     }
 
     #[test]

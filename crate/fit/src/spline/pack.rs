@@ -4,11 +4,13 @@ use glam::DVec2;
 use thiserror::Error;
 
 use super::coder::{Decoder, Encoder};
-use super::law::{ALL, StepLaw, TURNS, Table, WIDTHS};
+use super::law::{ALL, FormerTable, MANY_SPREADS, StepLaw, TURNS, Table, WIDTHS};
 use super::{FARTHEST, MAX_NODES, Node, Spline};
 
-/// What the first byte says; a [`ClosedCurve`](crate::ClosedCurve)'s says 1.
-const VERSION: u8 = 2;
+/// What the first byte says; a [`ClosedCurve`](crate::ClosedCurve)'s says 1. Curves of the former version, whose steps
+/// had another law, are read.
+const VERSION: u8 = 3;
+const FORMER_VERSION: u8 = 2;
 
 /// Bits of the grid's width that are kept: 11 of the exponent, 6 behind the point.
 const GRID_SHIFT: u32 = 46;
@@ -117,6 +119,34 @@ fn take_grid(coder: &mut Decoder) -> f64 {
     f64::from_bits((exponent << MANTISSA | coder.bits(MANTISSA)) << GRID_SHIFT)
 }
 
+/// The shares of steps, of this version or the former.
+enum AnyTable {
+    Now(Table),
+    Former(FormerTable),
+}
+
+impl AnyTable {
+    fn columns(&mut self, before: DVec2) -> Vec<u64> {
+        match self {
+            Self::Now(table) => table.columns(before),
+            Self::Former(table) => table.columns(before),
+        }
+    }
+
+    fn rows(&mut self, column: usize) -> Vec<u64> {
+        match self {
+            Self::Now(table) => table.rows(column),
+            Self::Former(table) => table.rows(column),
+        }
+    }
+
+    fn count(&mut self, step: DVec2, before: DVec2) {
+        if let Self::Now(table) = self {
+            table.count(step, before);
+        }
+    }
+}
+
 impl Spline {
     /// Whether there are three nodes, all on the grid, and its width is one that bytes keep.
     #[must_use]
@@ -148,8 +178,8 @@ impl Spline {
     /// The curve in few bytes: a version; then, by a range coder, the width of the grid, how many nodes, the law of
     /// steps, the first node, and for each node its kind and its step from the one before.
     ///
-    /// A step is told as one of some cells that lie around none, by the law, and a place in it, all alike. Cells are
-    /// single points unless some step is long.
+    /// A step is told as one of some cells that lie around none, by the law and by how steps turned so far, and a place
+    /// in it, all alike. Cells are single points unless some step is long.
     ///
     /// # Errors
     /// Where it is not [sound](Self::is_sound) or has more than [`MAX_NODES`] nodes.
@@ -172,7 +202,7 @@ impl Spline {
         coder.even(u64::from(long), 12);
         coder.bits(count as u64 - (1 << long), long);
         coder.even(law.width, WIDTHS);
-        coder.even(law.turn, TURNS);
+        coder.even(law.spread, MANY_SPREADS);
         coder.gamma(u64::from(cells.k));
         coder.even(reach as u64, REACHES.len() as u64);
         let first = [self.nodes[0].at.x, self.nodes[0].at.y].map(folded);
@@ -206,6 +236,7 @@ impl Spline {
             coder.put(rows[row], rows[row + 1] - rows[row], ALL);
             coder.bits(x.1, cells.k);
             coder.bits(y.1, cells.k);
+            table.count(step(i), before(i));
         }
         let mut bytes = vec![VERSION];
         bytes.extend(coder.finish());
@@ -217,12 +248,15 @@ impl Spline {
     /// # Errors
     /// Where they say none.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, SplineError> {
-        let Some((&VERSION, rest)) = bytes.split_first() else { return Err(SplineError::UnknownVersion) };
+        let Some((&version @ (VERSION | FORMER_VERSION), rest)) = bytes.split_first() else {
+            return Err(SplineError::UnknownVersion);
+        };
         let mut coder = Decoder::new(rest);
         let grid = take_grid(&mut coder);
         let long = coder.even(12) as u32;
         let count = 1_usize << long | coder.bits(long) as usize;
-        let law = StepLaw::new(coder.even(WIDTHS), coder.even(TURNS));
+        let width = coder.even(WIDTHS);
+        let law = coder.even(if version == VERSION { MANY_SPREADS } else { TURNS });
         let k = coder.gamma().filter(|&k| k < MOST_BITS).ok_or(SplineError::Unsound)?;
         let cells = Cells { k: k as u32 };
         let most = REACHES[coder.even(REACHES.len() as u64) as usize] as i64;
@@ -232,7 +266,11 @@ impl Spline {
         if count < 3 || coder.is_past() {
             return Err(SplineError::Unsound);
         }
-        let mut table = Table::new(law, most);
+        let mut table = if version == VERSION {
+            AnyTable::Now(Table::new(StepLaw::new(width, law), most))
+        } else {
+            AnyTable::Former(FormerTable::new(width, law, most))
+        };
         let mut nodes: Vec<Node> = Vec::with_capacity(count);
         let mut at = DVec2::new(unfolded(x), unfolded(y));
         let mut before = DVec2::ZERO;
@@ -255,7 +293,9 @@ impl Spline {
                 let x = number(&table.columns(before));
                 let y = number(&table.rows(x));
                 let [x, y] = [x, y].map(|number| cells.place(number as i64 - most, coder.bits(cells.k)));
-                before = DVec2::new(x, y);
+                let step = DVec2::new(x, y);
+                table.count(step, before);
+                before = step;
                 at += before;
             }
             nodes.push(Node { at, on });

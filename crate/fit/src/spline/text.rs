@@ -111,6 +111,18 @@ mod tests {
     }
 
     #[test]
+    fn a_word_of_the_former_version_is_read_and_written_in_this_one() {
+        let word = "ArD2Sst0yl5_ukz6f1W7bH7QZZArw72oRfqqS7rYKZ7lvzYslYyPymBzZ2GeQou2DRUP5EGfUCWQ0cpg";
+        let curve = Spline::from_text(word).unwrap();
+        let node = |x: f64, y: f64, on: bool| Node { at: DVec2::new(x, y), on };
+        assert_eq!((curve.nodes.len(), curve.grid), (27, 0.617_187_5));
+        assert_eq!([curve.nodes[0], curve.nodes[7]], [node(227.0, -93.0, false), node(62.0, 149.0, true)]);
+        assert_eq!(curve.nodes[26], node(163.0, -183.0, false));
+        let again = curve.to_text().unwrap();
+        assert!(again != word && Spline::from_text(&again) == Ok(curve), "{again}");
+    }
+
+    #[test]
     fn a_polygon_stays_near_its_parabolas_and_has_no_more_corners_than_a_curve_may() {
         let curve = wave(60);
         let polygon = curve.polygon();
