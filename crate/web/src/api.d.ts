@@ -928,6 +928,11 @@ export interface SpaceKey {
   moved?: (MapRow3 | null)[];
   /** For each object its maps; null: nothing is said of them here. Not for the first object of a morph. */
   maps?: (MapRow3[] | null)[];
+  /**
+   * For each object how far the control points of its lattice are moved; null: nothing is said of it here. What is of
+   * another number of control points than the object's `bend` is passed over.
+   */
+  bends?: (Point3[] | null)[];
   /** Where along the path of the morph. */
   t?: number;
 }
@@ -983,8 +988,11 @@ export interface SpacePart {
 
 /** What all objects are at a moment: each frame is a set of parameters. */
 export interface SpaceFrame {
-  /** Of each object the maps it is made with, what was done to it, and the parameters that come of both (eq 1). */
-  objects: { maps: MapRow3[]; moved: MapRow3; now: MapRow3[] }[];
+  /**
+   * Of each object the maps it is made with, what was done to it, and the parameters that come of both (eq 1); and how
+   * far the control points of its lattice are moved, where the time line says so.
+   */
+  objects: { maps: MapRow3[]; moved: MapRow3; now: MapRow3[]; bend?: Point3[] }[];
   /** Where it is seen from; absent where no key says so. */
   view?: SpaceView;
   /** Where along the path of the morph; absent where there is none. */

@@ -61,8 +61,16 @@ impl SpaceBend {
         if !within(self.delta, MOST_ROUGHNESS3) {
             return Some("a roughness of 0 to 1.5 is allowed");
         }
-        let far = |x: &f64| x.is_finite() && x.abs() <= FARTHEST_MOVE3;
-        (!self.moves.iter().flatten().all(far))
-            .then_some("moves of up to 10 times the longest side of the shape are allowed")
+        moves_problem(&self.moves)
     }
+}
+
+/// What is out of range of moves of control points.
+pub(super) fn moves_problem(moves: &[[f64; 3]]) -> Option<&'static str> {
+    if moves.len() > Mesh3::LARGEST.pow(3) {
+        return Some("up to 216 control points are allowed");
+    }
+    let far = |x: &f64| x.is_finite() && x.abs() <= FARTHEST_MOVE3;
+    (!moves.iter().flatten().all(far))
+        .then_some("moves of up to 10 times the longest side of the shape are allowed")
 }

@@ -231,6 +231,10 @@ pub struct SpaceKey {
     /// For each object its maps.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub maps: Vec<Option<Vec<Row3>>>,
+    /// For each object that is bent how far the control points of its lattice are moved, as in [`SpaceBend::moves`].
+    /// What is of another number of control points is passed over.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bends: Vec<Option<Vec<[f64; 3]>>>,
     /// Where along the path of the morph.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub t: Option<f64>,

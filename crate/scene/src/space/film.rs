@@ -1,7 +1,8 @@
 //! What there is in space, at each moment.
 
 use frond_core::{
-    Affine3, Course, IfsError, Key3, Morph3, MorphError, Motion3, MotionError, Place3, TransformError, along,
+    Affine3, Course, Ease, IfsError, Key3, Morph3, MorphError, Motion3, MotionError, Place3, TransformError,
+    along,
 };
 use glam::{DQuat, DVec3};
 use thiserror::Error;
@@ -82,6 +83,8 @@ pub struct Moved {
     pub moved: Row3,
     /// The parameters that come of both (Darwish & Abd-El-Wahab, eq 1).
     pub now: Vec<Row3>,
+    /// How far the control points of its lattice are moved, where keys say so.
+    pub bend: Option<Vec<[f64; 3]>>,
 }
 
 /// All that is at a moment.
@@ -152,6 +155,8 @@ struct Actor {
     places: Option<Motion3>,
     /// -1 where all keys mirror it.
     side: f64,
+    /// The ways of the control points of its lattice.
+    bend: Option<Vec<Motion3>>,
 }
 
 #[derive(Clone, Debug)]
@@ -172,7 +177,7 @@ struct Joined {
 /// Stands where a time line holds places alone.
 fn nothing() -> Vec<Key3<Vec<Affine3>>> {
     let half = Affine3::scaling(DVec3::splat(0.5));
-    vec![Key3 { time: 0.0, ease: frond_core::Ease::Even, value: vec![half] }]
+    vec![Key3 { time: 0.0, ease: Ease::Even, value: vec![half] }]
 }
 
 impl Joined {
@@ -321,6 +326,34 @@ fn view_of(keys: &[&SpaceKey], joined: Joined) -> Result<Option<Flight>, FilmErr
     Ok(places.map(|places| Flight { places, angles, round }))
 }
 
+/// The ways of the control points of an object's lattice; none where no key says where they are.
+fn lattice(
+    object: &SpaceObject,
+    index: usize,
+    keys: &[&SpaceKey],
+    joined: Joined,
+    wrong: impl Fn(MotionError) -> FilmError,
+) -> Result<Option<Vec<Motion3>>, FilmError> {
+    let Some(bend) = &object.bend else { return Ok(None) };
+    let count = bend.moves.len();
+    let moves = |key: &SpaceKey| key.bends.get(index)?.as_ref().filter(|moves| moves.len() == count).cloned();
+    let found: Vec<(f64, Ease, Vec<[f64; 3]>)> =
+        keys.iter().filter_map(|key| Some((key.at, key.ease, moves(key)?))).collect();
+    if found.is_empty() {
+        return Ok(None);
+    }
+    let way = |point: usize| {
+        let key = |(time, ease, moves): &(f64, Ease, Vec<[f64; 3]>)| Key3 {
+            time: *time,
+            ease: *ease,
+            value: shifted(DVec3::from_array(moves[point])),
+        };
+        let keys = found.iter().map(key).collect();
+        Motion3::new(keys, nothing(), joined.course, joined.period).map_err(&wrong)
+    };
+    (0..count).map(way).collect::<Result<_, _>>().map(Some)
+}
+
 impl Actor {
     fn new(
         object: &SpaceObject,
@@ -353,8 +386,9 @@ impl Actor {
             Some(Place3::of(by).map_err(|error| wrong(MotionError::from(error))))
         };
         let places = joined.places(keys, place, wrong)?;
+        let bend = lattice(object, index, keys, joined, wrong)?;
         let moved = object.moved.map_or(Affine3::IDENTITY, Affine3::from_row);
-        Ok(Self { maps, shapes, moved, places, side, name })
+        Ok(Self { maps, shapes, moved, places, side, bend, name })
     }
 
     fn at(&self, time: f64, morphed: Option<Vec<Affine3>>) -> Result<Moved, FilmError> {
@@ -375,7 +409,9 @@ impl Actor {
             there.maps().iter().map(|map| map.to_row()).collect()
         };
         system(&now).map_err(|source| FilmError::Moment { name: name(), source })?;
-        Ok(Moved { maps: rows, moved: moved.to_row(), now })
+        let by = |way: &Motion3| way.place(time).shift.to_array();
+        let bend = self.bend.as_ref().map(|ways| ways.iter().map(by).collect());
+        Ok(Moved { maps: rows, moved: moved.to_row(), now, bend })
     }
 }
 

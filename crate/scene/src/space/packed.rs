@@ -9,17 +9,22 @@
 //!
 //! Parts are joined by `/`, what belongs to one of them by `~`; a shape that is not of the gallery is `maps;` and its
 //! rows, then `~n` and its name. A bend is `~b`, the sizes of its lattice, locality, detail, roughness and turn, then
-//! the control points that are moved, by number. Numbers have as many digits as bring back the same bits.
+//! the control points that are moved, by number; in a key `~b` is the number of the object and that of its control
+//! points, then the same. Numbers have as many digits as bring back the same bits.
+
+mod bend;
+mod words;
 
 use std::fmt::Write as _;
 
+use bend::{read_bend, read_moves, write_bend, write_moves};
 use frond_core::{Course, Ease, Mode};
-use frond_deform::{Mesh3, Spin};
 use thiserror::Error;
+use words::{choice, exactly, floats};
 
 use crate::link::words::{escape, is_colour, name_of, number, numbers, tidy, unescape};
 use crate::scene::{MAX_WAY_POINTS, Path, PathKind, WayPoint};
-use crate::space::bend::SpaceBend;
+use crate::space::bend::{SpaceBend, moves_problem};
 use crate::space::document::{
     MAX_KEYS3, MAX_OBJECTS3, PAGE_BACKGROUND, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight,
     SpaceMorph, SpaceObject, Timeline,
@@ -45,8 +50,6 @@ const EASES: [(&str, Ease); 5] = [
 const COURSES: [(&str, Course); 2] = [("straight", Course::Straight), ("smooth", Course::Smooth)];
 /// The first two are older than the third.
 const REPEATS: [(&str, Repeat); 3] = [("0", Repeat::Once), ("1", Repeat::Round), ("2", Repeat::PingPong)];
-/// In the order of their numbers in links.
-const SPINS: [Spin; 4] = [Spin::None, Spin::Orthogonal, Spin::Rotation, Spin::Scaled];
 const KINDS: [(&str, PathKind); 3] =
     [("auto", PathKind::Auto), ("straight", PathKind::Straight), ("drawn", PathKind::Drawn)];
 
@@ -173,15 +176,6 @@ fn write_shape(word: &mut String, shape: &Shape3) {
     }
 }
 
-fn write_bend(word: &mut String, bend: &SpaceBend) {
-    let [x, y, z] = bend.sizes;
-    let spin = SPINS.iter().position(|spin| *spin == bend.spin).unwrap_or(0);
-    let _ = write!(word, "~b{x},{y},{z},{},{spin}", numbers(&[bend.kb, bend.ke, bend.delta]));
-    for (index, by) in bend.moves.iter().enumerate().filter(|(_, by)| **by != [0.0; 3]) {
-        let _ = write!(word, ";{index},{}", numbers(by));
-    }
-}
-
 fn write_morph(word: &mut String, morph: &SpaceMorph) {
     word.push_str("/to:");
     write_shape(word, &morph.to);
@@ -223,6 +217,12 @@ fn write_key(word: &mut String, key: &SpaceKey) {
             for row in maps {
                 let _ = write!(word, ";{}", numbers(row));
             }
+        }
+    }
+    for (index, moves) in key.bends.iter().enumerate() {
+        if let Some(moves) = moves {
+            let _ = write!(word, "~b{index},{}", moves.len());
+            write_moves(word, moves);
         }
     }
     if let Some(t) = key.t {
@@ -295,18 +295,6 @@ fn damaged(part: &str) -> PackedError {
     PackedError::Damaged { part: tidy(part).chars().take(24).collect() }
 }
 
-fn floats(text: &str) -> Option<Vec<f64>> {
-    text.split(',').map(|part| part.parse::<f64>().ok().filter(|x| x.is_finite())).collect()
-}
-
-fn exactly<const N: usize>(text: &str) -> Option<[f64; N]> {
-    floats(text)?.try_into().ok()
-}
-
-fn choice<T: Copy>(choices: &[(&str, T)], text: &str) -> Option<T> {
-    choices.iter().find_map(|(name, value)| (*name == text).then_some(*value))
-}
-
 /// A shape, and what else is said of it.
 fn read_shape(text: &str) -> Option<(Shape3, Vec<&str>)> {
     let mut fields = text.split('~');
@@ -334,23 +322,6 @@ fn read_object(text: &str) -> Option<SpaceObject> {
         }
     }
     Some(object)
-}
-
-fn read_bend(text: &str) -> Option<SpaceBend> {
-    let mut parts = text.split(';');
-    let mut settings = parts.next()?.split(',');
-    let mut size =
-        || settings.next()?.parse::<usize>().ok().filter(|size| (2..=Mesh3::LARGEST).contains(size));
-    let sizes = [size()?, size()?, size()?];
-    let mut number = || settings.next()?.parse::<f64>().ok();
-    let [kb, ke, delta] = [number()?, number()?, number()?];
-    let spin = *SPINS.get(settings.next()?.parse::<usize>().ok()?)?;
-    let mut moves = vec![[0.0; 3]; sizes.iter().product()];
-    for part in parts {
-        let (index, by) = part.split_once(',')?;
-        *moves.get_mut(index.parse::<usize>().ok()?)? = exactly(by)?;
-    }
-    Some(SpaceBend { sizes, moves, kb, ke, delta, spin })
 }
 
 fn read_light(text: &str) -> Option<SpaceLight> {
@@ -403,6 +374,10 @@ fn read_key(text: &str) -> Option<SpaceKey> {
                 let (index, rows) = rest.split_once(';')?;
                 let rows = rows.split(';').map(exactly).collect::<Option<_>>()?;
                 *entry(&mut key.maps, index)? = Some(rows);
+            }
+            'b' => {
+                let (index, moves) = rest.split_once(',')?;
+                *entry(&mut key.bends, index)? = Some(read_moves(moves)?);
             }
             't' => key.t = Some(exactly::<1>(rest)?[0]),
             _ => {}
@@ -487,6 +462,9 @@ fn check(space: &Space) -> Result<(), PackedError> {
                 what: "a view",
                 range: "a distance above 0 and an angle below pi are needed",
             });
+        }
+        if let Some(range) = key.bends.iter().flatten().find_map(|moves| moves_problem(moves)) {
+            return Err(PackedError::Number { what: "a key", range });
         }
         for row in key.moved.iter().flatten().chain(key.maps.iter().flatten().flatten()) {
             held("a key", row, FINITE, &far)?;

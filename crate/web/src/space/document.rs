@@ -1,6 +1,6 @@
 //! What there is in space, its gallery, its links and its moments.
 
-use frond_scene::{Film, FilmError, PackedError, Row3, Space, SpaceView};
+use frond_scene::{Film, FilmError, Moved, PackedError, Row3, Space, SpaceView};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -81,6 +81,8 @@ struct PlainMoved {
     maps: Vec<Row3>,
     moved: Row3,
     now: Vec<Row3>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bend: Option<Vec<[f64; 3]>>,
 }
 
 #[derive(Serialize)]
@@ -111,7 +113,7 @@ impl SpaceMotion {
         let objects = moment
             .objects
             .into_iter()
-            .map(|object| PlainMoved { maps: object.maps, moved: object.moved, now: object.now })
+            .map(|Moved { maps, moved, now, bend }| PlainMoved { maps, moved, now, bend })
             .collect();
         write(&PlainMoment { objects, view: moment.view, t: moment.t })
     }

@@ -154,7 +154,14 @@ export function setMorphTime(t: number, options: Options = {}): void {
   changeSpace((now) => (now.morph ? { ...now, morph: { ...now.morph, t } } : now), options);
 }
 
-/** A key for all that is now: the view, where each object is, how far the morph is. */
+/** Where the lattices of all bent objects are now. What a key said of others is no longer so. */
+function bendsOf({ objects }: SpaceFrame, before: SpaceKey["bends"]): Pick<SpaceKey, "bends"> {
+  const made = space.peek()?.objects ?? [];
+  const bends = objects.map(({ bend }, i) => bend ?? made[i]?.bend?.moves ?? null);
+  return before || bends.some((moves) => moves !== null) ? { bends } : {};
+}
+
+/** A key for all that is now: the view, where each object is, how far the morph is, how lattices are bent. */
 export function addKey(ease: Ease = "inout"): void {
   const view = spaceView.peek();
   const frame = spaceFrame.peek();
@@ -166,6 +173,7 @@ export function addKey(ease: Ease = "inout"): void {
       ease: key.ease ?? ease,
       view: plain,
       moved: frame.objects.map((object) => object.moved),
+      ...bendsOf(frame, key.bends),
       ...(frame.t === undefined ? {} : { t: frame.t }),
     }),
     { own: false },
@@ -196,21 +204,22 @@ export function endTimeline(): void {
 export function settled(now: Space, frame: SpaceFrame | null): Space {
   const { timeline: line, ...rest } = now;
   if (!line || !frame) return rest;
-  const objects = now.objects.map((object, i) => {
+  const objects = now.objects.map((plain, i) => {
     const at = frame.objects[i];
-    if (!at) return object;
+    if (!at) return plain;
+    const object = plain.bend && at.bend ? { ...plain, bend: { ...plain.bend, moves: at.bend } } : plain;
     // The maps of what morphs are those of its place on the morph.
     const morphs = i === 0 && now.morph !== undefined;
     if (morphs || !hasKeyedMaps(line, i)) return withMoved(object, at.moved);
-    const { preset: _, ...plain } = object;
-    return withMoved({ ...plain, maps: at.maps }, at.moved);
+    const { preset: _, ...own } = object;
+    return withMoved({ ...own, maps: at.maps }, at.moved);
   });
   const morph = now.morph && frame.t !== undefined ? { morph: { ...now.morph, t: frame.t } } : {};
   return { ...rest, objects, ...morph };
 }
 
 /** Changes the key at the moment, or puts one there; `others` changes the rest. */
-function keyNow(
+export function keyNow(
   change: (key: SpaceKey, objects: number) => SpaceKey,
   options: Options = {},
   others: (key: SpaceKey, objects: number) => SpaceKey = (key) => key,
@@ -229,7 +238,8 @@ function keyNow(
   }, options);
 }
 
-function withItem<T>(
+/** A list for all objects, with another entry for one of them. */
+export function withItem<T>(
   list: readonly (T | null)[] | undefined,
   count: number,
   index: number,

@@ -1,10 +1,12 @@
 //! Tests of films.
 
 use frond_core::Ease;
+use frond_deform::Spin;
 use proptest::prelude::*;
 
 use super::*;
 use crate::scene::Path;
+use crate::space::bend::SpaceBend;
 use crate::space::document::{Repeat, Shape3, SpaceMorph, Timeline};
 
 const HOME: Row3 = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
@@ -299,4 +301,38 @@ fn a_morph_goes_along_its_path_and_its_keys() {
     // Other numbers of maps cannot be morphed.
     all.objects[0] = SpaceObject::of_preset("sponge").unwrap();
     assert_eq!(Film::new(&all).unwrap_err().code(), "map-counts");
+}
+
+#[test]
+fn a_lattice_goes_from_key_to_key() {
+    let moves = |x: f64| {
+        let mut moves = vec![[0.0; 3]; 8];
+        moves[7] = [x, 0.0, -x];
+        moves
+    };
+    let bend =
+        SpaceBend { sizes: [2, 2, 2], moves: moves(9.0), kb: 0.0, ke: 3.0, delta: 0.5, spin: Spin::None };
+    let bent = |keys: Vec<SpaceKey>| {
+        let mut space = space(Repeat::Once, Course::Straight, keys);
+        space.objects[0].bend = Some(bend.clone());
+        space
+    };
+    let at = |bends: Vec<f64>| -> Vec<SpaceKey> {
+        let key = |(i, x): (usize, &f64)| SpaceKey { bends: vec![Some(moves(*x))], ..key(2.0 * i as f64) };
+        bends.iter().enumerate().map(key).collect()
+    };
+    let film = Film::new(&bent(at(vec![0.0, 1.0, -1.0]))).unwrap();
+    for (time, x) in [(-1.0, 0.0), (1.0, 0.5), (2.0, 1.0), (3.0, 0.0), (9.0, -1.0)] {
+        let found = film.at(time).unwrap().objects[0].bend.clone().unwrap();
+        assert!((found[7][0] - x).abs() < 1e-12 && (found[7][2] + x).abs() < 1e-12, "{time}: {found:?}");
+        assert_eq!(found[..7], moves(0.0)[..7]);
+    }
+    // Where no key says of it, or of another lattice, it is what the object says.
+    let other = vec![SpaceKey { bends: vec![Some(vec![[1.0; 3]; 27])], ..key(0.0) }];
+    for keys in [vec![key(0.0)], other] {
+        assert_eq!(Film::new(&bent(keys)).unwrap().at(0.0).unwrap().objects[0].bend, None);
+    }
+    let mut plain = bent(at(vec![0.0, 1.0]));
+    plain.objects[0].bend = None;
+    assert_eq!(Film::new(&plain).unwrap().at(1.0).unwrap().objects[0].bend, None);
 }

@@ -4,6 +4,9 @@ use proptest::prelude::*;
 use serde::de::IntoDeserializer;
 use serde::de::value::Error as ValueError;
 
+use frond_deform::Spin;
+
+use super::bend::SPINS;
 use super::*;
 use crate::space::document::{natural_objects, read_repeat};
 
@@ -86,13 +89,15 @@ fn any_space() -> impl Strategy<Value = Space> {
         proptest::option::of(any_row()),
         proptest::option::of(proptest::collection::vec(any_row(), 1..4)),
         proptest::option::of(0.0..=1.0_f64),
+        proptest::option::of(any_bend()),
     )
-        .prop_map(|(at, ease, view, moved, maps, t)| SpaceKey {
+        .prop_map(|(at, ease, view, moved, maps, t, bend)| SpaceKey {
             at,
             ease,
             view,
             moved: moved.map_or(Vec::new(), |row| vec![None, Some(row)]),
             maps: maps.map_or(Vec::new(), |rows| vec![Some(rows)]),
+            bends: bend.map_or(Vec::new(), |bend| vec![None, None, Some(bend.moves)]),
             t,
         });
     let line =
@@ -226,5 +231,18 @@ fn a_bend_that_is_none_is_refused_in_words() {
     ] {
         let error = unpack(&format!("o:sponge~b{bad}")).unwrap_err();
         assert!(!error.to_string().is_empty(), "{bad}");
+    }
+}
+
+#[test]
+fn lattices_of_keys_are_written_short_and_refused_where_they_are_none() {
+    let word = "o:sponge~b3,3,3,0,3,0.5,0/time:6,1,smooth/k:0,even~b0,27/k:3,even~b0,27;26,0.2,0,0.4";
+    let space = unpack(word).unwrap();
+    let keys = &space.timeline.as_ref().unwrap().keys;
+    assert_eq!(keys[0].bends, vec![Some(vec![[0.0; 3]; 27])]);
+    assert_eq!(keys[1].bends[0].as_ref().unwrap()[26], [0.2, 0.0, 0.4]);
+    assert_eq!(pack(&space).unwrap(), word);
+    for bad in ["~b0,217", "~b0,-1", "~b60,27", "~b0,27;27,0,0,0", "~b0,27;0,0,0", "~b0,27;0,11,0,0", "~b0"] {
+        assert!(unpack(&word.replacen("~b0,27", bad, 1)).is_err(), "{bad}");
     }
 }

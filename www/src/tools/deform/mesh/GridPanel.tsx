@@ -1,6 +1,7 @@
 import { computed } from "@preact/signals";
 import { changeDeformation } from "#document/deform/bend";
 import { endGesture } from "#document/scene";
+import { bernstein, foldedPart, foldedWords } from "#geometry/folds";
 import { LEAST_SIDE, MOST_SIDE, remesh } from "#geometry/mesh";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
@@ -20,6 +21,25 @@ const SYMMETRIES: readonly Option<Symmetry>[] = [
   { value: "levels", label: "Up, down", description: "The mirrored handle above or below moves too" },
   { value: "point", label: "Point", description: "The handle across the middle moves the opposite way" },
 ];
+
+/** What is said of a grid that is folded over. */
+const folded = computed(() => {
+  const { columns, rows, box, moves } = mesh.value;
+  const [x0, y0, x1, y1] = box;
+  const part = foldedPart(2, ([s = 0, t = 0]) => {
+    const [across, up] = [bernstein(s, columns), bernstein(t, rows)];
+    const to: [number, number] = [x0 + (x1 - x0) * s, y0 + (y1 - y0) * t];
+    for (const [row, b] of up.entries()) {
+      for (const [column, a] of across.entries()) {
+        const i = 2 * (row * columns + column);
+        to[0] += a * b * (moves[i] ?? 0);
+        to[1] += a * b * (moves[i + 1] ?? 0);
+      }
+    }
+    return to;
+  });
+  return foldedWords(part, "All back");
+});
 
 const rests = computed(() => mesh.value.moves.every((x) => x === 0));
 
@@ -55,6 +75,7 @@ export function GridPanel() {
           All back
         </Button>
       </div>
+      {folded.value && <p class="hint">{folded.value}</p>}
     </section>
   );
 }

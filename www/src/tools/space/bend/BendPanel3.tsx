@@ -1,6 +1,6 @@
 import { endGesture } from "#document/scene";
 import { changeSpace } from "#document/space/edits";
-import { chosen, spaceReady } from "#document/space/space";
+import { chosen, spaceReady, timeline } from "#document/space/space";
 import { formatNumber } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
@@ -10,6 +10,7 @@ import type { SpaceBend } from "#wasm/api";
 import { object } from "../shape/now";
 import { showWhole } from "../stage/actions";
 import { stageSize } from "../stage/state";
+import { BentHolds } from "./BentHolds";
 import css from "./bend.module.css";
 import {
   asExample,
@@ -42,6 +43,7 @@ function Parts() {
   return now ? (
     <>
       <Lattice now={now} />
+      <BentHolds now={now} />
       <Answer now={now} />
       <Chosen now={now} />
       <Last now={now} />
@@ -247,8 +249,9 @@ function Last({ now }: { now: SpaceBend }) {
   return (
     <section class="stack" aria-label="The bend itself">
       <p class="hint">
-        The maps, the shadow on a plane, the verdict and a mesh for printing are those of the shape before it
-        is bent.
+        The maps, the shadow on a plane and a mesh for printing are those of the shape before it is bent.
+        {timeline.value !== null &&
+          " With a time line, where the handles are is a key of the moment; all else of the bend is so for all time."}
       </p>
       <Button kind="quiet" icon="close" disabled={now === null} onClick={() => changeBend(() => null)}>
         Not bent

@@ -4,6 +4,7 @@ import {
   asExample,
   atRest,
   EXAMPLES,
+  foldedOf,
   isAtRest,
   linesOf,
   movedAt,
@@ -65,4 +66,6 @@ test("every example moves something, and inside out turns the box over", () => {
   const turned = over && asExample(rest, over, [1, 0.5, 0.25]);
   expect(turned?.moves[0]).toEqual([1, 0.5, 0.25]);
   expect(turned?.moves[26]).toEqual([-1, -0.5, -0.25]);
+  expect(turned && foldedOf(turned, [1, 0.5, 0.25])).toBe(1);
+  expect(foldedOf(rest, [1, 0.5, 0.25])).toBe(0);
 });

@@ -1,4 +1,5 @@
 /** What the panel and the handles do to a bend, as functions from bend to bend. Pure. */
+import { bernstein, foldedPart } from "#geometry/folds";
 import type { Point3, Space, SpaceBend } from "#wasm/api";
 
 export const LEAST_SIDE = 2;
@@ -69,19 +70,12 @@ export function movedAt({ sizes, moves }: SpaceBend, place: Point3): Point3 {
   return sum;
 }
 
-/** The Bernstein polynomials of degree `count - 1`. */
-function bernstein(t: number, count: number): number[] {
-  const values = [1];
-  for (let degree = 1; degree < count; degree++) {
-    let carry = 0;
-    for (let k = 0; k <= degree; k++) {
-      const here = values[k] ?? 0;
-      values[k] = here * (1 - t) + carry;
-      carry = here * t;
-    }
-  }
-  return values;
-}
+/** The part of the box that is turned over by the plain displacement; `sides` are its sides, the longest of them 1. */
+export const foldedOf = (bend: SpaceBend, sides: Point3): number =>
+  foldedPart(3, ([x = 0, y = 0, z = 0]) => {
+    const by = movedAt(bend, [x, y, z]);
+    return [x * sides[0] + by[0], y * sides[1] + by[1], z * sides[2] + by[2]];
+  });
 
 /** Pairs of neighbouring control points: the lines of the lattice. */
 export function linesOf(sizes: SpaceBend["sizes"]): [number, number][] {

@@ -1,17 +1,18 @@
 /** The bend of the chosen object, the box it lies over, and where its handles are on the stage. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { announce } from "#document/notice";
-import { changeSpace } from "#document/space/edits";
+import { announce, notify, wordsOf } from "#document/notice";
 import { chosen, keepView, spacePlaying, spaceView } from "#document/space/space";
 import { apply3, turned } from "#geometry/maps/affine3";
 import type { BendRoom3, MapRow3, Point3, SpaceBend } from "#wasm/api";
 import { solid } from "#wasm/space";
-import { made, moved, object } from "../shape/now";
+import { made, moved } from "../shape/now";
 import { type Pixel, projected, shiftByHand } from "../stage/camera";
 import { stageSize } from "../stage/state";
-import { nameOf, placeOf, tidy, withBend, withMoved } from "./changes";
+import { nameOf, placeOf, tidy, withMoved } from "./changes";
+import { bendObject, bentNow } from "./keyed";
 
-export const bend: ReadonlySignal<SpaceBend | null> = computed(() => object.value?.bend ?? null);
+/** As it is at the moment of the time line. */
+export const bend: ReadonlySignal<SpaceBend | null> = computed(() => bentNow(chosen.value));
 
 let known: { key: string; room: BendRoom3 | null } | null = null;
 
@@ -81,7 +82,13 @@ export function changeBend(change: (bend: SpaceBend) => SpaceBend | null, gestur
   keepView();
   spacePlaying.value = false;
   const options = gesture === undefined ? {} : { gesture };
-  return changeSpace((space) => withBend(space, chosen.peek(), after), options);
+  try {
+    bendObject(chosen.peek(), after, options);
+    return true;
+  } catch (problem) {
+    notify({ kind: "error", text: wordsOf(problem) });
+    return false;
+  }
 }
 
 /** A handle along a direction of space, in units of it. */

@@ -44,6 +44,7 @@ export function withoutObject(space: Space, index: number): Space {
     ...key,
     ...changed("moved", key.moved, drop),
     ...changed("maps", key.maps, drop),
+    ...changed("bends", key.bends, drop),
   }));
 }
 
@@ -76,7 +77,7 @@ export function withKeys(space: Space, change: (key: SpaceKey) => SpaceKey): Spa
   return keys.length > 0 ? { ...rest, timeline: { ...timeline, keys } } : rest;
 }
 
-function changed<K extends "moved" | "maps", T>(
+function changed<K extends "moved" | "maps" | "bends", T>(
   name: K,
   list: T | undefined,
   change: (list: T) => T,

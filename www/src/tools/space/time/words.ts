@@ -40,9 +40,9 @@ export function momentWords(line: SpaceTimeline | null, at: number): string {
 }
 
 /** What a key says. */
-export function keyWords({ view, moved, maps, t }: SpaceKey): string {
+export function keyWords({ view, moved, maps, bends, t }: SpaceKey): string {
   const objects = new Set<number>();
-  for (const list of [moved, maps]) {
+  for (const list of [moved, maps, bends]) {
     for (const [i, item] of (list ?? []).entries()) if (item) objects.add(i);
   }
   const parts = [
