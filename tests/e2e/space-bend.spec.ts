@@ -50,3 +50,27 @@ test("a lattice bends a shape by key, hand and number, and undo makes it straigh
   // The view went where all handles are seen: to look is nothing to undo.
   expect(await packed(studio)).toBe(start);
 });
+
+test("a lattice goes from key to key, and the panel says whether the bent shape holds", async ({
+  studio,
+  page,
+}) => {
+  await studio.open(
+    "tool=space&space=o:tetrahedron~b2,2,2,0,3,0.5,0/time:4,0,straight/k:0,even~b0,8/k:4,even~b0,8;7,0,0,0.8",
+  );
+  await complete(page);
+  const rest = await studio.look();
+  await page.getByRole("radio", { name: "Bend", exact: true }).check({ force: true });
+  await expect(page.getByTestId("bent-verdict")).toContainText("In one piece, proved", { timeout: 30_000 });
+  await page.getByRole("slider", { name: /time/i }).first().focus();
+  await page.keyboard.press("End");
+  await expect(page.getByTestId("bent-verdict")).toContainText("In one piece");
+  await expect(page.getByTestId("bent-verdict")).toContainText("as before it was bent");
+  await complete(page);
+  expect((await studio.look()).hash).not.toBe(rest.hash);
+  // A pull there changes that key alone.
+  await page.getByRole("button", { name: /^Handle 2, 2, 2,/ }).focus();
+  await page.getByLabel("Moved along x").fill("0.25");
+  await page.keyboard.press("Enter");
+  expect(await packed(studio)).toMatch(/k:0,even~b0,8\/k:4,even~b0,8;7,0\.25,0,0\.8/);
+});
