@@ -21,6 +21,29 @@ struct Part {
     offset: DVec2,
 }
 
+/// The values at the ends of pieces, which most parts of a curve begin with: each is found once.
+struct Ends<'a> {
+    curve: &'a FractalCurve,
+    /// From the right at the first t of a piece, from the left at its last.
+    known: Vec<[Option<DVec2>; 2]>,
+}
+
+impl<'a> Ends<'a> {
+    fn new(curve: &'a FractalCurve) -> Self {
+        Self { curve, known: vec![[None; 2]; curve.pieces().len()] }
+    }
+
+    /// As [`FractalCurve::limit`].
+    fn limit(&mut self, t: f64, side: Side, tolerance: f64) -> DVec2 {
+        let index = self.curve.piece_at(t, side);
+        let end = usize::from(side == Side::Left);
+        if t != self.curve.pieces()[index].range[end] {
+            return self.curve.limit(t, side, tolerance);
+        }
+        *self.known[index][end].get_or_insert_with(|| self.curve.limit(t, side, 0.0))
+    }
+}
+
 impl FractalCurve {
     /// Points (t, curve at t) in the order of t, so that the curve between two that follow each other stays within
     /// `tolerance` of both of them.
@@ -53,6 +76,7 @@ impl FractalCurve {
         // NaN asks for the finest, and finds that there are too many.
         let tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
         let (middle, reach) = self.disc();
+        let mut ends = Ends::new(self);
         let mut points: Vec<(f64, DVec2)> = Vec::new();
         let mut stack = vec![whole];
         while let Some(part) = stack.pop() {
@@ -75,7 +99,7 @@ impl FractalCurve {
             if spread <= tolerance || high <= low {
                 let (t, side) = if part.scale > 0.0 { (low, Side::Right) } else { (high, Side::Left) };
                 let value =
-                    part.offset + part.shear * t + part.factor * self.limit(t, side, TRUE * tolerance / gain);
+                    part.offset + part.shear * t + part.factor * ends.limit(t, side, TRUE * tolerance / gain);
                 points.push((part.scale * t + part.shift, value));
                 continue;
             }

@@ -1,11 +1,14 @@
 import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
+import { EXAMPLES } from "#tools/fit/plane/model/examples";
+import { toWord } from "#tools/fit/plane/model/word";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { Choice, SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { fitHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
 import { flag, number, oneOf, parts, whole } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
@@ -20,6 +23,8 @@ const VIEWS: readonly { name: string; about: string; eye: Eye }[] = [
   { name: "From the side", about: "x and y: the gasket", eye: { turn: -90, tilt: 0 } },
   { name: "From the corner", about: "all three at once", eye: FROM_CORNER },
 ];
+/** The gasket that is seen from the side, as a curve of the plane. */
+const SIDE = toWord(EXAMPLES.find(({ id }) => id === "arrowhead")?.make() ?? { points: [], pieces: [] });
 const MOST_DEPTH = 7;
 /** Which of its pieces is shown alone, and what its map does. */
 const PIECE_CHOICES = [
@@ -83,6 +88,10 @@ export function Page(heading: Heading) {
         { name: "Pieces drawn", symbol: tex`3^${depth}`, value: String(pieces) },
         { name: "Seen from", value: `${fixed(eye.turn, 0)}° round, ${fixed(eye.tilt, 0)}° up` },
       ]}
+      studio={{
+        href: fitHref({ mode: "plane", plane: SIDE }),
+        label: "Open its side view in the Fit tool",
+      }}
       captions={["Figure 3: A 3-D Sierpinski space curve and its projections onto three coordinate planes."]}
       reconstructed="The maps of this curve are not printed. The arrowhead curve stands for it: with corners at heights 0, ½ and 1 the printed maps of Table 3 come about as near to its top projection as the paper says. The height of the box is the gasket’s own."
     >

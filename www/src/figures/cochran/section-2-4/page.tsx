@@ -9,6 +9,7 @@ import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
+import { fitHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
 import { flag, list, number, oneOf, point } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
@@ -16,7 +17,7 @@ import { Grip } from "../figure-1/grip";
 import { rangeOf } from "../graphs/graphs";
 import { PlaneMapTable } from "../graphs/plane-map-table";
 import { Profile } from "../graphs/profile";
-import { apart, curveThrough, drawn, type Factor, type Place } from "./plane-curve";
+import { apart, curveThrough, drawn, type Factor, type Place, wordOf } from "./plane-curve";
 
 export const PLACES: readonly Place[] = [
   [0, 0],
@@ -111,6 +112,14 @@ export function Page(heading: Heading) {
         },
       ]}
       captions={["2.4 Fractal Interpolation Curves"]}
+      {...(typeof made === "string"
+        ? {}
+        : {
+            studio: {
+              href: fitHref({ mode: "plane", plane: wordOf(places, used, backwards) }),
+              label: "Open in the Fit tool",
+            },
+          })}
       own
       reconstructed="The section has no figure: this one is made here. The points and the factors it begins with are Frond’s own."
       differs="The paper’s conditions for X print both cases as one, and its text says that a and e are shared; it is a and d."

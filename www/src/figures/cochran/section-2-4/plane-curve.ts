@@ -1,5 +1,6 @@
 /** A curve through three points of the plane, made of two copies of itself (Cochran, Hart & Flynn, section 2.4). */
 import { wordsOf } from "#document/notice";
+import { toWord } from "#tools/fit/plane/model/word";
 import type { PlaneGraph } from "#wasm/api";
 import { rough } from "#wasm/curve";
 
@@ -24,6 +25,17 @@ export function curveThrough(
     return wordsOf(problem);
   }
 }
+
+/** It as a document has it. */
+export const wordOf = (
+  places: readonly Place[],
+  factors: readonly Factor[],
+  reflected: readonly boolean[],
+): string =>
+  toWord({
+    points: places.map(([x, y], i) => [TIMES[i] ?? 1, x, y]),
+    pieces: factors.map(([...factor], i) => ({ factor, span: reflected[i] ? [2, 0] : [0, 2] })),
+  });
 
 /** What of a factor stays where x and y are apart (eq 8). */
 export const apart = ([cx, , , cy]: Factor): Factor => [cx, 0, 0, cy];
