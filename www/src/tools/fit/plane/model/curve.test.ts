@@ -73,6 +73,8 @@ it("a point comes and goes with its piece, and copies go on to copy what they di
     [0, 3],
     [2, 0],
   ]);
+  const upper = withPiece(example("apart"), 0, { span: [2, 4] });
+  expect(withoutPoint(upper, 2).pieces[0]?.span).toEqual([1, 3]);
   // What became too long for what it copies copies all.
   const less = withoutPoint(other, 1);
   expect(less.pieces.map(({ span }) => span)).toEqual([
