@@ -1,24 +1,36 @@
 /** A lattice around a shape of space that moves along the time line. */
 import { readFile } from "node:fs/promises";
-import { beforeAll, beforeEach, expect, it } from "vitest";
+import { beforeAll, beforeEach, expect, it, vi } from "vitest";
 import * as frond from "../../www/pkg/frond-space.js";
 import { scene, start, undo } from "../../www/src/document/scene";
 import { addKey, endTimeline, startWith } from "../../www/src/document/space/edits";
-import { editSpace, setMoment, space, spaceFrame, timeline } from "../../www/src/document/space/space";
+import {
+  editSpace,
+  openSpace,
+  setMoment,
+  space,
+  spaceFrame,
+  timeline,
+} from "../../www/src/document/space/space";
 import { atRest, withMoved } from "../../www/src/tools/space/bend/changes";
 import { bendObject, bentNow } from "../../www/src/tools/space/bend/keyed";
 import { withoutObject } from "../../www/src/tools/space/shape/changes";
 import { keyWords } from "../../www/src/tools/space/time/words";
 import type { SpaceBend } from "../../www/src/wasm/api";
-import { solid } from "../../www/src/wasm/space";
 import { shownObject } from "../../www/src/workers/space/shown";
+
+// Here it is started from a file.
+vi.mock("../../www/src/wasm/space", async () => ({
+  solid: await import("../../www/pkg/frond-space.js"),
+  loadSpace: async () => {},
+}));
 
 const blank = { ...scene.peek() };
 
 beforeAll(async () => {
   const module = await readFile(new URL("../../www/pkg/frond-space_bg.wasm", import.meta.url));
   await frond.default({ module_or_path: module });
-  Object.assign(solid, frond);
+  await openSpace();
 });
 
 const bend = (): SpaceBend => {
