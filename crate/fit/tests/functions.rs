@@ -254,19 +254,3 @@ fn in_a_window_nothing_that_is_there_is_left_out() {
     assert!(part.iter().any(|point| point.1.is_nan()));
     assert!(part.windows(2).all(|pair| pair[0].0 < pair[1].0));
 }
-
-#[test]
-fn factors_near_one_take_no_longer_than_their_points() {
-    // Each value by itself would take some 40,000 steps along its address.
-    let knots = [DVec2::ZERO, DVec2::new(0.5, 0.4), DVec2::X];
-    let curve =
-        FractalCurve::fif(&[0.0, 0.5, 1.0], &knots, &[DMat2::IDENTITY * 0.999; 2], &[false, true]).unwrap();
-    let reach = curve.disc().1;
-    let start = std::time::Instant::now();
-    let line = curve.polyline(2.02 * reach * 0.999_f64.powi(15), 1 << 18).unwrap();
-    assert!(line.len() > 10_000, "{}", line.len());
-    assert!(start.elapsed().as_secs_f64() < 2.0);
-    for (t, at) in line.iter().step_by(997) {
-        assert!(at.distance(curve.at(*t)) < 1e-6 * reach, "{t}");
-    }
-}
