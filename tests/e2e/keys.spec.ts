@@ -95,6 +95,7 @@ test("Tab walks the page in reading order, and never sticks", async ({ studio, p
   }
   expect(stops.filter((stop) => stop.includes("unseen") || stop === "?")).toEqual([]);
   const rooms = stops.filter((stop, i) => stop !== stops[i - 1]);
-  expect(rooms).toEqual(["header", "stage", "side", "time"]);
+  // Play is right after the picture.
+  expect(rooms).toEqual(["header", "stage", "time", "side"]);
   expect(stops.length).toBeGreaterThan(20);
 });
