@@ -151,6 +151,23 @@ test("a sheet goes to a class, and its answers come back as a table", async ({ p
   await expect(row).toContainText("They part below 0.4");
   await expect(row).toContainText("done");
   await expect(page.getByText("photo.json: This is no file of answers.")).toBeVisible();
+  // It is there after a reload, as a file for a spreadsheet, and alone on paper.
+  await page.reload();
+  await expect(row).toContainText("They part below 0.4");
+  const [table] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Save as CSV" }).click(),
+  ]);
+  expect(table.suggestedFilename()).toBe("answers-class-9b.csv");
+  expect(await readFile(await table.path(), "utf8")).toContain('"They part below 0.4"');
+  await page.emulateMedia({ media: "print" });
+  await expect(row).toBeVisible();
+  await expect(page.getByRole("heading", { name: "Make a sheet" })).toBeHidden();
+  await page.emulateMedia({ media: null });
+  await page.getByRole("button", { name: "Clear the table" }).click();
+  await expect(row).toHaveCount(0);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect(row).toBeVisible();
 });
 
 test("a guess is there again after a way into the studio and back", async ({ page }) => {

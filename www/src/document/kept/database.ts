@@ -2,7 +2,7 @@
 import { type IDBPDatabase, openDB } from "idb";
 
 /** Stores are added at the end, each with a version of its own. */
-const STORES = ["documents", "fits"] as const;
+const STORES = ["documents", "fits", "answers"] as const;
 
 export type StoreName = (typeof STORES)[number];
 

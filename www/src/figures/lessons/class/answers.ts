@@ -51,15 +51,19 @@ export function read(text: string): Answers | string {
   if (typeof value["version"] !== "number" || value["version"] > VERSION) {
     return "These answers are of a later version of Frond. Load this page anew, and open them again.";
   }
+  return answersIn(value) ?? "The answers in this file are damaged. Ask for it once more.";
+}
+
+/** Answers from what was written in this form; null where some of it cannot be read. */
+export function answersIn(value: unknown): Answers | null {
+  if (!isRecord(value)) return null;
   const { items } = value;
-  if (!Array.isArray(items) || items.length > MOST_ITEMS) {
-    return "The answers in this file are damaged. Ask for it once more.";
-  }
+  if (!Array.isArray(items) || items.length > MOST_ITEMS) return null;
   const read = items.flatMap((item) => answerOf(item) ?? []);
-  if (read.length < items.length) return "The answers in this file are damaged. Ask for it once more.";
+  if (read.length < items.length) return null;
   return {
     name: wordsOf(value["name"], MOST_NAME).trim() || "without a name",
-    title: wordsOf(value["title"], MOST_NAME),
+    title: wordsOf(value["title"], MOST_NAME).trim(),
     saved: wordsOf(value["saved"], 40),
     items: read,
   };
@@ -87,14 +91,23 @@ const isRecord = (value: unknown): value is Record<string, unknown> =>
 
 const wordsOf = (value: unknown, most: number) => (typeof value === "string" ? value.slice(0, most) : "");
 
-/** All that was handed in, the latest of each name. */
+/** All that was handed in, the latest of each name for each sheet, by names. */
 export function latest(all: readonly Answers[]): Answers[] {
   const byName = new Map<string, Answers>();
   for (const answers of all) {
-    const before = byName.get(answers.name);
-    if (!before || before.saved <= answers.saved) byName.set(answers.name, answers);
+    const before = byName.get(keyOf(answers));
+    if (!before || before.saved <= answers.saved) byName.set(keyOf(answers), answers);
   }
   return [...byName.values()].sort((p, q) => p.name.localeCompare(q.name));
+}
+
+/** What tells one pupil's answers to one sheet from all others. */
+export const keyOf = ({ title, name }: Answers) => JSON.stringify([title, name]);
+
+/** The titles of the sheets that were answered, the one that was handed in last first. */
+export function titlesOf(all: readonly Answers[]): string[] {
+  const newestFirst = [...all].sort((p, q) => (p.saved < q.saved ? 1 : -1));
+  return [...new Set(newestFirst.map(({ title }) => title))];
 }
 
 /** What they were asked, in the order in which it first comes. */

@@ -10,7 +10,7 @@ import { Fitted } from "../../kit/picture/fitted";
 import { Page } from "../../kit/state/kept";
 import { LESSONS } from "../course";
 import css from "./class.module.css";
-import { Handed } from "./handed";
+import { Handed } from "./handed/handed";
 import { draft, keepDraft } from "./kept";
 import { Lessons } from "./lessons";
 import { itemsWithNames } from "./names";
@@ -22,11 +22,11 @@ export function Teacher() {
   useEffect(() => cameFrom(null), []);
   return (
     <div class={css["page"]}>
-      <p>
+      <p class={css["screen"]}>
         <a href="#learn">All lessons</a>
       </p>
       <h1 tabIndex={-1}>Class sheet</h1>
-      <p class={frameCss["figure-lead"]}>
+      <p class={`${frameCss["figure-lead"]} ${css["screen"]}`}>
         Choose what your class is to do, and send one link. Pupils work in their own browsers, without an
         account; they save their answers as a file, and you open the files here. Nothing is sent anywhere.
       </p>
@@ -65,7 +65,7 @@ function Make() {
   const lessons = LESSONS.map(({ id }) => id);
   const shapes = presets().map(({ id }) => id);
   return (
-    <section class={css["part"]} aria-labelledby="make">
+    <section class={`${css["part"]} ${css["make"]}`} aria-labelledby="make">
       <h2 id="make">Make a sheet</h2>
       <OpenSheet onOpen={open} onClear={count > 0 ? () => open(EMPTY) : null} />
       <label class={css["field"]}>
