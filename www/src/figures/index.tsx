@@ -16,6 +16,7 @@ import { Contents } from "./lessons/contents";
 import { find, hrefOf, lessonOf, neighbours, related } from "./list";
 import { pageOf } from "./loading";
 import { Overview } from "./overview";
+import { sectionWith } from "./papers/sections";
 
 /** What stands on the page: the page of a figure or a lesson, or all of them. */
 interface Shown {
@@ -197,11 +198,15 @@ interface Found {
 function TopNav({ row, figure: here }: Found) {
   const lesson = lessonOf(here);
   const sheet = sheetBehind();
+  const section = sectionWith(row, here);
   return (
     <nav class={figuresCss["figure-top"]} aria-label={row.name}>
       {sheet && <a href={sheet}>Back to the class sheet</a>}
       {lesson ? <a href="#learn">All lessons</a> : <a href="#figures">All figures</a>}
-      <span class={figuresCss["unit"]}>{lesson ? row.title : row.paper}</span>
+      <span class={figuresCss["unit"]}>
+        {lesson ? row.title : row.paper}
+        {section && `, section ${section.number}`}
+      </span>
       <ol>
         {row.figures.map((figure) => (
           <li key={figure.id}>
@@ -224,7 +229,7 @@ function Related({ figure }: { figure: Figure }) {
   const others = related(figure);
   if (others.length === 0) return null;
   return (
-    <p class={figuresCss["related"]}>
+    <p class={figuresCss["related"]} data-part="answers">
       {lessonOf(figure) ? "The same in the papers: " : "A lesson on this: "}
       {others.map((other, i) => (
         <>

@@ -3,6 +3,7 @@ import { Button } from "#ui/controls/Button";
 import { Icon } from "#ui/controls/Icon";
 import { Cards } from "../cards";
 import type { Figure } from "../figure";
+import { Find } from "../find/Find";
 import frameCss from "../kit/frame/frame.module.css";
 import layout from "../kit/frame/layout.module.css";
 import { useValue } from "../kit/workers";
@@ -13,6 +14,7 @@ import { LESSONS, type Lesson, UNITS } from "./course";
 import { lessonsWith } from "./find";
 import { clearDone, done } from "./frame/done";
 import { clearGuesses } from "./frame/guesses";
+import marksCss from "./marks.module.css";
 import { Glance, Ways } from "./start";
 
 /** What is looked for; it is there again on the way back from a lesson. */
@@ -56,18 +58,14 @@ export function Contents({ missing }: { missing: string | null }) {
             </>
           )}
         </p>
-        <label class={css["find"]}>
-          Find a lesson by a word
-          <input
-            type="search"
-            maxLength={60}
-            placeholder="fern, dimension, proof …"
-            value={words}
-            onInput={({ currentTarget }) => {
-              asked.value = currentTarget.value;
-            }}
-          />
-        </label>
+        <Find
+          label="Find a lesson by a word"
+          example="fern, dimension, proof …"
+          value={words}
+          onChange={(next) => {
+            asked.value = next;
+          }}
+        />
       </header>
       {words.trim() === "" ? <Units marks={marks} /> : <Found words={words} marks={marks} />}
       <p class={css["papers"]}>
@@ -144,7 +142,7 @@ function Facts({ lesson, marks }: { lesson: Lesson; marks: ReadonlySet<string> }
         {lesson.minutes} minutes{after.length > 0 && `, after ${lessonsWords(after)}`}
       </span>
       {facts.length > 0 && (
-        <span class={css["done"]}>
+        <span class={marksCss["done"]}>
           <Icon name="check" size={16} /> {facts.join(", ")}
         </span>
       )}

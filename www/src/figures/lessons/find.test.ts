@@ -26,3 +26,8 @@ it("finds nothing where a word stands nowhere, and all of nothing is nothing", (
 it("finds each lesson by its title", () => {
   for (const { id, title } of LESSONS) expect(idsOf(title), title).toContain(id);
 });
+
+it("takes a number as a whole one, and the lesson of that number first", () => {
+  expect(idsOf("Lesson 2")[0]).toBe("e13");
+  expect(idsOf("Lesson 2")).not.toContain("e21");
+});

@@ -2,6 +2,7 @@ import { Icon } from "#ui/controls/Icon";
 import { Thumbnail } from "../cards";
 import { hrefOf } from "../list";
 import { LESSONS, type Lesson, UNITS } from "./course";
+import marksCss from "./marks.module.css";
 import css from "./start.module.css";
 
 /** A first way into the course, by who comes. */
@@ -99,7 +100,7 @@ export function Glance({ marks }: { marks: ReadonlySet<string> }) {
                   {count === 0 ? (
                     `${figures.length} lessons, ${minutesOf(figures)} minutes`
                   ) : (
-                    <span class={css["done"]}>
+                    <span class={marksCss["done"]}>
                       <Icon name="check" size={16} /> {count} of {figures.length}
                     </span>
                   )}

@@ -4,6 +4,7 @@ import { Button } from "#ui/controls/Button";
 import { Icon } from "#ui/controls/Icon";
 import { download, plainName } from "#ui/files/download";
 import { QrCode } from "#ui/overlay/QrCode";
+import fieldCss from "../../kit/frame/field.module.css";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
 import { preset } from "../../kit/frame/studio-link";
@@ -13,6 +14,7 @@ import { useValue } from "../../kit/workers";
 import { done } from "../frame/done";
 import { guessOf, rightOf } from "../frame/guesses";
 import { printHandouts } from "../frame/handout/paper";
+import marksCss from "../marks.module.css";
 import { type Answer, MOST_WORDS, written } from "./answers";
 import css from "./class.module.css";
 import { keep, keptOf } from "./kept";
@@ -103,7 +105,7 @@ function Filled({ sheet, whole, state }: FilledProps) {
           This browser keeps nothing: save your answers before you leave this page.
         </p>
       )}
-      <label class={css["field"]}>
+      <label class={fieldCss["field"]}>
         Your name
         <input
           type="text"
@@ -112,17 +114,20 @@ function Filled({ sheet, whole, state }: FilledProps) {
           onInput={({ currentTarget }) => change({ name: currentTarget.value })}
         />
       </label>
-      <ol class={css["items"]}>
-        {items.map(({ key, name, href, task, shape }) => {
+      {/* A list without marks of its own is told as one where it says so. */}
+      {/* biome-ignore lint/a11y/noRedundantRoles: Safari */}
+      <ol role="list" class={css["items"]}>
+        {items.map(({ key, name, href, task, shape }, i) => {
           const count = solved(key).length;
           return (
             <li key={key}>
-              {shape !== undefined && (
-                <div class={`${css["small"]} ${css["screen"]}`} aria-hidden="true">
-                  <Fitted of={preset(shape).maps} />
-                </div>
-              )}
               <div class={css["item-head"]}>
+                <span aria-hidden="true">{i + 1}.</span>
+                {shape !== undefined && (
+                  <div class={`${css["small"]} ${css["screen"]}`} aria-hidden="true">
+                    <Fitted of={preset(shape).maps} />
+                  </div>
+                )}
                 {href === null ? <span>{name}</span> : <a href={href}>{name}</a>}
                 {key.includes(":") ? (
                   <label class={css["tick"]}>
@@ -140,15 +145,17 @@ function Filled({ sheet, whole, state }: FilledProps) {
                     done
                   </label>
                 ) : (
-                  <span class={isDone(key) ? css["done"] : css["open"]}>
+                  <span class={isDone(key) ? marksCss["done"] : css["open"]}>
                     {isDone(key) && <Icon name="check" size={16} />}
-                    {isDone(key) ? "question answered" : "not answered yet"}
+                    {isDone(key)
+                      ? "the lesson’s question is answered"
+                      : "the lesson’s question is still open"}
                     {count > 0 && `, ${count} exercise${count === 1 ? "" : "s"} solved`}
                   </span>
                 )}
               </div>
               {task !== "" && <p class={css["task"]}>{task}</p>}
-              <label class={css["field"]}>
+              <label class={fieldCss["field"]}>
                 What did you find?
                 <textarea
                   rows={2}

@@ -3,6 +3,7 @@ import { cameFrom } from "#document/kept/sheet";
 import { presets } from "#document/presets";
 import { Button } from "#ui/controls/Button";
 import { QrCode } from "#ui/overlay/QrCode";
+import fieldCss from "../../kit/frame/field.module.css";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
 import { preset } from "../../kit/frame/studio-link";
@@ -68,7 +69,7 @@ function Make() {
     <section class={`${css["part"]} ${css["make"]}`} aria-labelledby="make">
       <h2 id="make">Make a sheet</h2>
       <OpenSheet onOpen={open} onClear={count > 0 ? () => open(EMPTY) : null} />
-      <label class={css["field"]}>
+      <label class={fieldCss["field"]}>
         Its title
         <input
           type="text"
@@ -97,7 +98,7 @@ function Make() {
               </label>
             ))}
           </fieldset>
-          <label class={css["field"]}>
+          <label class={fieldCss["field"]}>
             Links that you have copied, from a step of a lesson or from the studio, one to a line
             <textarea
               rows={3}
@@ -117,7 +118,7 @@ function Make() {
         <fieldset class={css["part"]}>
           <legend>What is to be done, in your own words, where you like</legend>
           {itemsWithNames(whole).map(({ key, name }) => (
-            <label key={key} class={css["field"]}>
+            <label key={key} class={fieldCss["field"]}>
               {name}
               <input
                 type="text"
@@ -169,7 +170,7 @@ function OpenSheet({ onOpen, onClear }: { onOpen: (sheet: Sheet) => void; onClea
     <details>
       <summary>Change a sheet that you have made before, or begin anew</summary>
       <div class={css["part"]}>
-        <label class={css["field"]}>
+        <label class={fieldCss["field"]}>
           To change a sheet that you have made before, paste its link
           <input type="text" value={link} onInput={({ currentTarget }) => setLink(currentTarget.value)} />
         </label>
@@ -229,7 +230,7 @@ function Given({ address, count }: { address: string; count: number }) {
   return (
     <div class={css["given"]}>
       <div class={css["part"]}>
-        <label class={css["field"]}>
+        <label class={fieldCss["field"]}>
           The link of this sheet, with {count} {count === 1 ? "thing" : "things"} to do
           <input
             type="text"

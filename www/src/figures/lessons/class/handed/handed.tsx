@@ -4,6 +4,7 @@ import { notify } from "#document/notice";
 import { Button } from "#ui/controls/Button";
 import { Select } from "#ui/controls/Select";
 import { download, plainName } from "#ui/files/download";
+import fieldCss from "../../../kit/frame/field.module.css";
 import layout from "../../../kit/frame/layout.module.css";
 import { type Answers, keyOf, latest, MOST_BYTES, read, titlesOf } from "../answers";
 import css from "../class.module.css";
@@ -132,7 +133,7 @@ export function Handed() {
         )}
       </div>
       {titles.length > 1 && (
-        <label class={`${css["field"]} ${css["screen"]}`}>
+        <label class={`${fieldCss["field"]} ${css["screen"]}`}>
           Answers to
           <Select value={title} onChange={({ currentTarget }) => setWanted(currentTarget.value)}>
             {titles.map((one) => (

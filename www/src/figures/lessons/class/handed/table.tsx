@@ -1,3 +1,4 @@
+import marksCss from "../../marks.module.css";
 import { type Answer, type Answers, askedOf } from "../answers";
 import css from "../class.module.css";
 import { nameOf } from "../names";
@@ -46,7 +47,7 @@ function Cell({ answer }: { answer: Answer | undefined }) {
   const isDone = item.includes(":") ? "done" : "question answered";
   return (
     <>
-      <span class={done ? css["done"] : css["open"]}>{done ? isDone : "not yet"}</span>
+      <span class={done ? marksCss["done"] : css["open"]}>{done ? isDone : "not yet"}</span>
       {exercises.length > 0 && <span class={css["open"]}>, solved: {exercises.join(", ")}</span>}
       {guess !== "" && (
         <p class={css["open"]}>

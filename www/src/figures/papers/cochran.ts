@@ -1,0 +1,123 @@
+import type { Section } from "./section";
+
+/** Cochran, Hart & Flynn, “On Approximating Rough Curves With Fractal Functions”. */
+export const COCHRAN: readonly Section[] = [
+  {
+    number: "1",
+    title: "Introduction",
+    about: "Rough curves out of copies of themselves instead of sums of smooth ones.",
+    also: ["c1", "e18"],
+  },
+  {
+    number: "1.1",
+    title: "Previous Work",
+    about: "Where such functions were used before. It shows nothing that could be drawn here.",
+  },
+  {
+    number: "1.2",
+    title: "Overview",
+    about: "What follows in the paper: the sections below say the same.",
+  },
+  {
+    number: "2",
+    title: "Fractal Interpolation",
+    about: "A function through given points that need not be smooth.",
+    also: ["c1", "e18", "e29"],
+  },
+  {
+    number: "2.1",
+    title: "Fractal Interpolation Functions",
+    about: "Two shears take the whole graph to its parts; their factors say how rough it is.",
+    holds: "Figure 1, equations 1, 2 and 3, FIF",
+    pages: ["c1"],
+    also: ["e18", "e29"],
+  },
+  {
+    number: "2.2",
+    title: "Recurrent Fractal Interpolation Functions",
+    about: "Parts that copy sections between given points: the eleven pieces of Frond’s answer are one.",
+    holds: "equations 4, 5 and 6, RFIF",
+    also: ["c6"],
+  },
+  {
+    number: "2.3",
+    title: "Partitioned Fractal Interpolation Functions",
+    about: "Parts that copy any section: the seven maps of Table 3 are one.",
+    holds: "equation 7, PFIF",
+    also: ["c6"],
+  },
+  {
+    number: "2.4",
+    title: "Fractal Interpolation Curves",
+    about: "The same for curves of the plane, whose coordinates answer to each other or do not.",
+    holds: "equations 8 and 9",
+    pages: ["c24"],
+  },
+  {
+    number: "3",
+    title: "Fractal Approximation",
+    about: "Near the points instead of through all of them, with far fewer maps.",
+    also: ["ct2", "c43", "e27"],
+    tools: ["fit"],
+  },
+  {
+    number: "3.1",
+    title: "Hough Transform",
+    about: "Every few points vote for a map that would take them to others; the votes heap up over the maps.",
+    holds: "equations 10, 11, 12, 13 and 14",
+    also: ["ct2", "c5"],
+    tools: ["fit"],
+  },
+  {
+    number: "3.2",
+    title: "Least Squares Minimization",
+    about: "For each part of a curve the section that makes the best copy, by least squares.",
+    holds: "equation 15",
+    also: ["c43", "c7"],
+    tools: ["fit"],
+  },
+  {
+    number: "4",
+    title: "Results",
+    about: "A function found again, a rough one approximated, and a leaf.",
+    also: ["c2", "c4", "c7"],
+  },
+  {
+    number: "4.1",
+    title: "Recovering Parameters of a Fractal Function",
+    about: "A function of two maps, and the votes that find them.",
+    holds: "Figure 2, Tables 1 and 2",
+    pages: ["c2", "ct2"],
+    tools: ["fit"],
+  },
+  {
+    number: "4.2",
+    title: "Approximation of a Rough Function",
+    about: "The top view of a curve of space, which is no copy of itself, out of seven maps.",
+    holds: "Figures 3, 4, 5 and 6, Table 3",
+    pages: ["c3", "c4", "c5", "c6"],
+  },
+  {
+    number: "4.3",
+    title: "Approximation of a Leaf Boundary",
+    about: "From the pixels of a leaf to 261 points, and to fits of 52 and of 29 maps.",
+    holds: "Figure 7",
+    pages: ["c43", "c7"],
+    also: ["e27"],
+    tools: ["fit"],
+  },
+  {
+    number: "5",
+    title: "Conclusion",
+    about:
+      "Two ways to find self-affinity, tried. What they are worth at the paper’s own sizes is measured here.",
+    also: ["c7", "ct2"],
+  },
+  {
+    number: "5.1",
+    title: "Further Research",
+    about: "How far off the fits are, and that the votes lie in a space of hardly two or three dimensions.",
+    also: ["c5", "c6", "c7"],
+  },
+  { number: "5.2", title: "Acknowledgments", about: "Thanks of the authors: nothing to show." },
+];
