@@ -14,6 +14,7 @@ import { number } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
 import { Time, useTime } from "../../kit/time/time";
 import { type BentPanel, bentHref } from "../deformations/deformations";
+import { GASKET_MAPS } from "../deformations/gasket-maps";
 import { GASKET, KE, LIFT_BOX, liftOf } from "../deformations/lifted-gasket";
 import { Panels } from "../deformations/panels";
 import css from "./page.module.css";
@@ -62,15 +63,7 @@ export function Page(heading: Heading) {
       }
       found={<Found />}
       parameters={[
-        {
-          name: "Maps",
-          value: [
-            tex`f_i(x) = \frac{1}{2} x + c_i`,
-            tex`c_1 = (0, 0)`,
-            tex`c_2 = (\frac{1}{2}, 0)`,
-            tex`c_3 = (0, \frac{1}{2})`,
-          ],
-        },
+        GASKET_MAPS,
         { name: "Detail", symbol: tex`k_e`, value: String(KE) },
         {
           name: "Roughness",

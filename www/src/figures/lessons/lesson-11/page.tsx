@@ -2,6 +2,7 @@ import { useMemo } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
 import { bentHref } from "../../fujimoto/deformations/deformations";
+import { GASKET_MAPS } from "../../fujimoto/deformations/gasket-maps";
 import { FAR_CORNER, GASKET, KE, LIFT_BOX, liftOf } from "../../fujimoto/deformations/lifted-gasket";
 import { SliderControl } from "../../kit/frame/control";
 import type { Heading } from "../../kit/frame/frame";
@@ -61,15 +62,7 @@ export function Page(heading: Heading) {
       exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
-        {
-          name: "Maps",
-          value: [
-            tex`f_i(x) = \frac{1}{2} x + c_i`,
-            tex`c_1 = (0, 0)`,
-            tex`c_2 = (\frac{1}{2}, 0)`,
-            tex`c_3 = (0, \frac{1}{2})`,
-          ],
-        },
+        GASKET_MAPS,
         { name: "Roughness", symbol: "δ", value: "0.75" },
         { name: "Detail", symbol: tex`k_e`, value: String(KE) },
         { name: "Locality", symbol: tex`k_b`, value: "0 fractal, 9 plain" },

@@ -1,6 +1,7 @@
 import { fixed } from "#format/numbers";
 import { loadBends } from "#wasm/bend";
 import { bentHref } from "../../fujimoto/deformations/deformations";
+import { GASKET_MAPS } from "../../fujimoto/deformations/gasket-maps";
 import { GASKET, KE, liftOf } from "../../fujimoto/deformations/lifted-gasket";
 import { SliderControl } from "../../kit/frame/control";
 import type { Heading } from "../../kit/frame/frame";
@@ -50,15 +51,7 @@ export function Page(heading: Heading) {
       exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
-        {
-          name: "Maps",
-          value: [
-            tex`f_i(x) = \frac{1}{2} x + c_i`,
-            tex`c_1 = (0, 0)`,
-            tex`c_2 = (\frac{1}{2}, 0)`,
-            tex`c_3 = (0, \frac{1}{2})`,
-          ],
-        },
+        GASKET_MAPS,
         { name: "Detail", symbol: tex`k_e`, value: String(KE) },
         { name: "Locality in the first picture", symbol: tex`k_b`, value: fixed(kb, 1) },
         { name: "Roughness in the first picture", symbol: "δ", value: String(DELTA) },
