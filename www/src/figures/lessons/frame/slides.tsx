@@ -127,11 +127,6 @@ function Shown({ at: asked }: { at: number }) {
 
   return (
     <div data-slides-bar="" ref={bar}>
-      {isMore && (
-        <Button class={css["onward"]} icon="down" onClick={onward}>
-          More below
-        </Button>
-      )}
       <div class={css["slides-bar"]} role="toolbar" aria-label="Slides">
         <Button icon="back" disabled={at === 0} onClick={() => go(-1)}>
           Back
@@ -139,6 +134,10 @@ function Shown({ at: asked }: { at: number }) {
         {/* That of the page is on its first slide. */}
         {at > 0 && <h1 class="unseen">{names[0]}</h1>}
         <Where at={at} names={names} full={full} />
+        {/* Its room is kept: the buttons beside it stay where they are. */}
+        <Button class={`${css["onward"]} ${isMore ? "" : css["away"]}`} icon="down" onClick={onward}>
+          <span class={css["word"]}>More below</span>
+        </Button>
         <Button
           class={css["pointer"]}
           pressed={dot}
