@@ -76,12 +76,22 @@ test("a handout asks and does not tell, and has its answers on a page of their o
   await page.getByText("A single point", { exact: true }).click();
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.getByTestId("truth")).toBeVisible();
-  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
-  await page.emulateMedia({ media: "print" });
+  const solutions = page.getByText("Solutions of the exercises");
+  const paper = async (event: "beforeprint" | "afterprint") => {
+    await page.evaluate((name) => dispatchEvent(new Event(name)), event);
+    await page.emulateMedia({ media: event === "beforeprint" ? "print" : null });
+  };
+  // Whoever prints a copy for a pupil gets no answers with it.
+  await paper("beforeprint");
+  await expect(page.getByText("Exercise 2", { exact: true })).toBeVisible();
+  await expect(solutions).toBeHidden();
+  await paper("afterprint");
+  await page.getByText("For teachers", { exact: true }).click();
+  await paper("beforeprint");
   await expect(page.getByTestId("truth")).toHaveCount(0);
   await expect(page.getByRole("radio", { checked: true })).toHaveCount(0);
   await expect(page.getByRole("button", { name: "A hint" }).first()).toBeHidden();
-  await expect(page.getByText("Solutions of the exercises")).toBeVisible();
+  await expect(solutions).toBeVisible();
   // What asks for a slider has another exercise in its place.
   await expect(page.getByText(/^Choose the turn/)).toBeHidden();
   await expect(page.getByText(/^A letter is turned by some angle/)).toBeVisible();
@@ -90,15 +100,21 @@ test("a handout asks and does not tell, and has its answers on a page of their o
     const pdf = (await page.pdf({ format })).toString("latin1");
     expect(pdf.match(/\/Type \/Page\b/g)?.length, format).toBeGreaterThan(1);
   }
-  await page.emulateMedia({ media: null });
-  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  await paper("afterprint");
   await expect(page.getByTestId("truth")).toBeVisible();
-  await expect(page.getByText("Solutions of the exercises")).toBeHidden();
   // Answers are no tap away from who learns.
-  await page.getByText("For teachers", { exact: true }).click();
-  await expect(page.getByText("Solutions of the exercises")).toBeHidden();
+  await expect(solutions).toBeHidden();
   await page.getByRole("button", { name: "Show the answers" }).click();
-  await expect(page.getByText("Solutions of the exercises")).toBeVisible();
+  await expect(solutions).toBeVisible();
+  // What is printed is chosen, whatever the page shows.
+  await page.evaluate(() => {
+    window.print = () => {
+      document.title = `printed ${document.documentElement.dataset["handout"]}`;
+    };
+  });
+  await page.getByRole("button", { name: "Print a handout" }).click();
+  await page.getByRole("menuitem", { name: "Copies for pupils" }).click();
+  await expect(page).toHaveTitle("printed copies");
 });
 
 test("a sheet goes to a class, and its answers come back as a table", async ({ page }) => {

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useContext, useEffect } from "preact/hooks";
-import { Button, IconButton } from "#ui/controls/Button";
+import { Button } from "#ui/controls/Button";
+import { Menu } from "#ui/overlay/Menu";
 import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/frame";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
@@ -36,7 +37,7 @@ export function Lesson(props: LessonProps) {
   useEffect(printHandouts, []);
   return (
     <LessonId.Provider value={props.id}>
-      <div class={css["first"]}>
+      <div class={css["first"]} data-part="copies">
         <Whose />
         <Head
           number={props.number}
@@ -46,13 +47,7 @@ export function Lesson(props: LessonProps) {
           more={
             <>
               <SlidesButton />
-              <IconButton
-                icon="print"
-                kind="quiet"
-                label="Print a handout"
-                description="with room to write, and the answers on a page of their own"
-                onClick={() => void printHandout()}
-              />
+              <PrintMenu />
             </>
           }
         >
@@ -69,7 +64,7 @@ export function Lesson(props: LessonProps) {
         {props.question}
       </div>
       {props.exercises !== undefined && (
-        <div class={css["exercises"]}>
+        <div class={css["exercises"]} data-part="copies">
           <h2 class={css["make"]}>Now make one yourself</h2>
           <p class={css["paper-name"]} aria-hidden="true">
             {props.number}, {props.title}
@@ -77,7 +72,7 @@ export function Lesson(props: LessonProps) {
           <OnPaper.Provider value={props.teaching.onPaper}>{props.exercises}</OnPaper.Provider>
         </div>
       )}
-      <div class={`${frameCss["figure-foot"]} ${css["foot"]}`}>
+      <div class={`${frameCss["figure-foot"]} ${css["foot"]}`} data-part="answers">
         <section aria-labelledby="figure-parameters">
           <h2 id="figure-parameters">Parameters</h2>
           <Parameters of={props.parameters} />
@@ -90,6 +85,21 @@ export function Lesson(props: LessonProps) {
       <ForTeachers lesson={`${props.number}, ${props.title}`} teaching={props.teaching} />
       <Slides />
     </LessonId.Provider>
+  );
+}
+
+/** A handout, with room to write: what pupils get, and the answers apart from it. */
+function PrintMenu() {
+  return (
+    <Menu
+      label="Print a handout"
+      icon="print"
+      items={[
+        { label: "Copies for pupils, without answers", onSelect: () => void printHandout("copies") },
+        { label: "The answers alone", onSelect: () => void printHandout("answers") },
+        { label: "Both", onSelect: () => void printHandout("all") },
+      ]}
+    />
   );
 }
 

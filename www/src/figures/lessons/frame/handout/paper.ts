@@ -4,6 +4,12 @@ import { atOnce } from "../../../kit/frame/print";
 
 const on = signal(false);
 
+/** Which pages: those that pupils get, the one for whoever teaches, or all. */
+export type Part = "copies" | "answers" | "all";
+
+/** What was chosen, while it is printed. */
+let chosen: Part | null = null;
+
 /** Whether the lesson is on its way to paper, where guesses and answers are covered. */
 export const paper = on;
 
@@ -32,19 +38,30 @@ export function printHandouts(): () => void {
 }
 
 function set(is: boolean): void {
+  const { dataset } = document.documentElement;
+  // Before the page of the answers is opened for paper.
+  if (is) dataset["handout"] ??= chosen ?? seen();
+  else delete dataset["handout"];
   on.value = is;
+}
+
+/** Where nothing was chosen, answers are printed only if the page shows what is for teachers. */
+function seen(): Part {
+  return document.querySelector("article details[data-part=answers][open]") ? "all" : "copies";
 }
 
 const drawn = () => document.querySelectorAll("article canvas[data-complete]").length;
 
 /** Prints, once the pictures are as they are to be. */
-export async function printHandout(): Promise<void> {
+export async function printHandout(part: Part): Promise<void> {
   const before = drawn();
+  chosen = part;
   set(true);
   for (let waited = 0; waited < DRAWN_MS; waited += LOOK_MS) {
     await new Promise((done) => setTimeout(done, LOOK_MS));
     if (waited > 2 * LOOK_MS && drawn() >= before) break;
   }
   print();
+  chosen = null;
   set(false);
 }
