@@ -26,7 +26,10 @@ interface ExerciseProps {
   children: ComponentChildren;
 }
 
-/** Something to be made, which the program can check. Once solved it stays marked, whatever is tried after. */
+/**
+ * Something to be made, which the program can check. Once solved it stays marked, whatever is tried after; the mark says
+ * whether what stands there now is a solution.
+ */
 export function Exercise({ number, ask, hints, solved, status, children }: ExerciseProps) {
   const lesson = useContext(LessonId);
   const written = useContext(OnPaper)[number - 1] ?? "same";
@@ -50,8 +53,8 @@ export function Exercise({ number, ask, hints, solved, status, children }: Exerc
         <h3 id={heading} class={css["name"]}>
           Exercise {number}
           {was && (
-            <span class={css["was"]}>
-              <Icon name="check" size={16} /> solved
+            <span class={css["was"]} data-now={solved ? "" : undefined}>
+              <Icon name="check" size={16} /> {solved ? "solved" : "solved before"}
             </span>
           )}
         </h3>
@@ -84,7 +87,7 @@ export function Exercise({ number, ask, hints, solved, status, children }: Exerc
         ))}
       </div>
       {told < hints.length && (
-        <div class={layout["buttons"]}>
+        <div class={`${layout["buttons"]} ${solved ? css["needless"] : ""}`}>
           <Button onClick={() => setTold(told + 1)}>{told === 0 ? "A hint" : "Another hint"}</Button>
         </div>
       )}

@@ -59,7 +59,8 @@ export function Page(heading: Heading) {
             of a triangle: that is one step. Now take all that there is and do the same again.
           </p>
           <p>
-            Press play, or drag the steps. Then start from something else: even from a picture of your own.
+            Play the steps, stop them, drag them. Then start from something else: even from a picture of your
+            own.
           </p>
         </>
       }
@@ -236,7 +237,7 @@ function Difference({ prediction }: { prediction: Prediction<Left> }) {
         measure that distance. A step halves all distances, so afterwards they are at most half as far apart,
         after <Formula>n</Formula> steps at most <Formula tex={tex`1 / 2^n`} /> of it. Whatever one starts
         from, all come to the same shape. It belongs to the maps alone, and is the only one that a step leaves
-        as it is.
+        as it is. This one is called a gasket: that of Wacław Sierpiński, who described it in 1915.
       </p>
     </ChoiceQuestion>
   );

@@ -8,6 +8,7 @@ import { Choice, SliderControl } from "../../kit/frame/control";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
+import { fixedPoint } from "../../kit/maps/families";
 import { boxAround } from "../../kit/maps/morphs";
 import { apply, type Point } from "../../kit/maps/pieces";
 import { Drawn } from "../../kit/picture/annotated";
@@ -91,6 +92,7 @@ function Switched({ fern }: FernProps) {
     [box.x0, box.y1],
   ];
   const left = PARTS.filter((_, i) => !on[i]);
+  const single = maps.length === 1 ? maps[0] : undefined;
   return (
     <div class={`${layout["two-columns"]} ${layout["even"]}`}>
       <Drawn
@@ -103,18 +105,21 @@ function Switched({ fern }: FernProps) {
             : `The fern without ${left.join(", ")}.`
         }
       >
-        {(place) =>
-          fern.map(
-            (map, i) =>
-              on[i] && (
-                <path
-                  key={PARTS[i]}
-                  class={css["frame"]}
-                  d={`M${corners.map((corner) => place(apply(map, corner)).join(" ")).join("L")}Z`}
-                />
-              ),
-          )
-        }
+        {(place) => (
+          <>
+            {fern.map(
+              (map, i) =>
+                on[i] && (
+                  <path
+                    key={PARTS[i]}
+                    class={css["frame"]}
+                    d={`M${around(corners.map((corner) => place(apply(map, corner)))).join("L")}Z`}
+                  />
+                ),
+            )}
+            {single && <SinglePoint at={place(fixedPoint(single))} colour={colours[hues[0] ?? 0]} />}
+          </>
+        )}
       </Drawn>
       <div class={lessonCss["ask"]}>
         {PARTS.map((part, i) => (
@@ -130,13 +135,35 @@ function Switched({ fern }: FernProps) {
         ))}
         <p class={layout["hint"]} aria-live="polite">
           {maps.length === 1
-            ? "One map alone makes a single point: where it leaves the plane in place."
+            ? "One map alone makes a single point, here in the ring: the one that it leaves in place."
             : left.length === 0
               ? "All four: the fern."
               : `Switched off: ${left.join(" and ")}.`}
         </p>
       </div>
     </div>
+  );
+}
+
+/** The corners of a frame; a frame that is pressed into a line stands around the line, not over it. */
+function around(corners: readonly Point[]): string[] {
+  const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
+  const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  if (Math.min(right - left, bottom - top) > 2 * BESIDE) return corners.map(([x, y]) => `${x} ${y}`);
+  const [x0, x1, y0, y1] = [left - BESIDE, right + BESIDE, top - BESIDE, bottom + BESIDE];
+  return [`${x0} ${y0}`, `${x1} ${y0}`, `${x1} ${y1}`, `${x0} ${y1}`];
+}
+
+/** How far such a frame stays off its line, in 400ths of the picture's width. */
+const BESIDE = 4;
+
+/** What would be seen of a shape that is one point: hardly anything. */
+function SinglePoint({ at: [x, y], colour }: { at: Point; colour: string | undefined }) {
+  return (
+    <>
+      <circle cx={x} cy={y} r={3} fill={colour} />
+      <circle class={css["ring"]} cx={x} cy={y} r={9} />
+    </>
   );
 }
 
