@@ -229,7 +229,7 @@ function Related({ figure }: { figure: Figure }) {
   const others = related(figure);
   if (others.length === 0) return null;
   return (
-    <p class={figuresCss["related"]} data-part="answers">
+    <p class={figuresCss["related"]}>
       {lessonOf(figure) ? "The same in the papers: " : "A lesson on this: "}
       {others.map((other, i) => (
         <>

@@ -58,7 +58,7 @@ export function Page(heading: Heading) {
             Take any figure. Make three copies of it, each half as large, and put them into the three corners
             of a triangle: that is one step. Now take all that there is and do the same again.
           </p>
-          <p>
+          <p data-screen="">
             Play the steps, stop them, drag them. Then start from something else: even from a picture of your
             own.
           </p>

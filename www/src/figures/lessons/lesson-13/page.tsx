@@ -42,8 +42,8 @@ export function Page(heading: Heading) {
             else is stored: four maps of six numbers each.
           </p>
           <p>
-            Switch the copies off and on. The frame of each is the frame of the whole, put where its map puts
-            it.
+            <span data-screen="">Switch the copies off and on. </span>
+            The frame of each is the frame of the whole, put where its map puts it.
           </p>
         </>
       }

@@ -68,6 +68,9 @@ function Aim() {
         />
         <div class={lessonCss["ask"]}>
           <div class={layout["buttons"]}>
+            <span class={layout["choice-label"]} aria-hidden="true">
+              Throw towards
+            </span>
             {["1", "2", "3"].map((digit) => (
               <Button
                 key={digit}
@@ -82,7 +85,7 @@ function Aim() {
               Clear
             </Button>
           </div>
-          <p class="number">{thrown === "" ? "no throw yet" : `thrown: ${[...thrown].join(", ")}`}</p>
+          <p class="number">Thrown: {thrown === "" ? "nothing" : [...thrown].join(", ")}</p>
         </div>
       </div>
     </Exercise>
