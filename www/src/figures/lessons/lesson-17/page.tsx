@@ -23,6 +23,7 @@ import { Lesson } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, useChoice } from "../frame/prediction";
 import { boxesOf, GRIDDED, moran } from "./boxes";
+import { Counted } from "./counted";
 import { TooMuch } from "./overlap";
 import css from "./page.module.css";
 import { TEACHING } from "./teaching";
@@ -95,22 +96,7 @@ function Boxed({ name, level }: { name: Name; level: number }) {
       box={UNIT}
       label={`The ${NAMES[name]} under boxes of side ${sideWords(shape.base, level)}: ${boxes.length} of them hold some of it.`}
     >
-      {(place) =>
-        boxes.map(([column, row]) => {
-          const [x, y] = place([column * side, (row + 1) * side]);
-          const [right, bottom] = place([(column + 1) * side, row * side]);
-          return (
-            <rect
-              key={`${column},${row}`}
-              class={css["box"]}
-              x={x}
-              y={y}
-              width={right - x}
-              height={bottom - y}
-            />
-          );
-        })
-      }
+      {(place) => <Counted boxes={boxes} side={side} place={place} />}
     </Drawn>
   );
 }
