@@ -169,7 +169,10 @@ const SAMPLES = Array.from({ length: 101 }, (_, i) => (MANY * i) / 100);
 /** How a distance goes down, by its factor. */
 function Factors() {
   const [steps, setSteps] = useKept("steps", 100, whole(0, MANY));
-  const left = FACTORS.map((factor) => `${factor}: ${metresWords(factor ** steps)}`).join(", ");
+  // A length stays with its unit, and with its factor.
+  const left = FACTORS.map((factor) =>
+    `${factor}: ${metresWords(factor ** steps)}`.replaceAll(" ", "\u00a0"),
+  ).join(", ");
   return (
     <>
       <Plot
@@ -180,7 +183,7 @@ function Factors() {
           name: String(factor),
           points: SAMPLES.map((n) => [n, factor ** n] as const),
           colour: i,
-          nameAt: [4, 12, 50, 90][i] ?? 0,
+          nameAt: [6, 12, 50, 90][i] ?? 0,
         }))}
         now={steps}
       />

@@ -35,7 +35,7 @@ function OfWidth() {
       number={1}
       ask="Change only piece 3, so that the gap of the whole shape is exactly 0.10."
       hints={[
-        "The gap is the widest step of the shortest tree. Which step is it now, and from which piece does it lead to piece 3?",
+        "The gap is the widest step that cannot be avoided. Which step is it now, and from which piece does it lead to piece 3?",
         "The step from 1 to 3 is what is left of 1 after both of their scales: 0.52 and that of piece 3.",
       ]}
       solved={solved}
