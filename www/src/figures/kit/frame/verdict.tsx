@@ -41,8 +41,10 @@ interface ChipProps {
 export function Chip({ tone, text, aside = "", stale = false }: ChipProps) {
   return (
     <p class={css["verdict"]} data-stale={stale ? "" : undefined}>
-      <VerdictSign tone={tone} />
-      <span>{text}</span>
+      <span class={css["said"]}>
+        <VerdictSign tone={tone} />
+        <span>{text}</span>
+      </span>
       {aside !== "" && <span class={css["verdict-aside"]}>{aside}</span>}
     </p>
   );

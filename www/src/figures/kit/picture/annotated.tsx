@@ -5,30 +5,31 @@ import { apply, type Point } from "../maps/pieces";
 import css from "./annotated.module.css";
 import { Picture, type PictureProps } from "./picture";
 
-/** Pictures are 4 to 3, flat ones 2 to 1; what is drawn over them has these units. */
-const UNITS = { width: 400, height: 300, flat: 200 };
+/** Pictures are 4 to 3, flat ones 2 to 1, square ones 1 to 1; what is drawn over them has these units. */
+const WIDTH = 400;
+const HEIGHTS = { usual: 300, flat: 200, square: 400 };
 const MARGIN = 0.06;
 
 interface DrawnProps extends PictureProps {
   /** What is drawn over it, with the places of the plane; its units are a 400th of the picture's width. */
   children?: (place: Place, unit: number) => ComponentChildren;
-  flat?: boolean;
+  form?: keyof typeof HEIGHTS;
 }
 
 export type Place = (point: Point) => Point;
 
 /** An attractor with lines and numbers over it. */
-export function Drawn({ children, margin = MARGIN, flat = false, ...picture }: DrawnProps) {
-  const height = flat ? UNITS.flat : UNITS.height;
-  const view = fitFor(picture.box, { width: UNITS.width, height }, margin);
+export function Drawn({ children, margin = MARGIN, form = "usual", ...picture }: DrawnProps) {
+  const height = HEIGHTS[form];
+  const view = fitFor(picture.box, { width: WIDTH, height }, margin);
   const place: Place = ([x, y]) => [
-    UNITS.width / 2 + (x - view.x) * view.scale,
+    WIDTH / 2 + (x - view.x) * view.scale,
     height / 2 - (y - view.y) * view.scale,
   ];
   return (
-    <div class={`${css["drawn"]} ${flat ? css["flat"] : ""}`}>
+    <div class={`${css["drawn"]} ${form === "usual" ? "" : css[form]}`}>
       <Picture {...picture} margin={margin} />
-      <svg viewBox={`0 0 ${UNITS.width} ${height}`} aria-hidden="true">
+      <svg viewBox={`0 0 ${WIDTH} ${height}`} aria-hidden="true">
         {children?.(place, view.scale)}
       </svg>
     </div>

@@ -1,5 +1,6 @@
 /** Shapes of some of the nine cells of a square: each piece is the whole, a third as large, in its cell. */
 import type { Connectedness, MapRow } from "#wasm/api";
+import type { Point } from "../../kit/maps/pieces";
 
 /** Cells are counted row by row from the lower left. */
 const column = (cell: number) => cell % 3;
@@ -8,6 +9,17 @@ const THIRD = 1 / 3;
 
 export function mapsOf(cells: readonly number[]): MapRow[] {
   return cells.map((cell): MapRow => [THIRD, 0, 0, THIRD, column(cell) * THIRD, row(cell) * THIRD]);
+}
+
+/** The corners of a cell, counter-clockwise. */
+export function cornersOf(cell: number): Point[] {
+  const [x, y] = [column(cell) * THIRD, row(cell) * THIRD];
+  return [
+    [x, y],
+    [x + THIRD, y],
+    [x + THIRD, y + THIRD],
+    [x, y + THIRD],
+  ];
 }
 
 type Pair = readonly [number, number];

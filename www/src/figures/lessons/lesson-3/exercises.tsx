@@ -11,7 +11,7 @@ import { useKept } from "../../kit/state/kept";
 import { useVerdict } from "../../kit/workers";
 import { Exercise } from "../frame/exercise";
 import lessonCss from "../frame/lesson.module.css";
-import { hangTogether, isDeceiving, isStar, mapsOf } from "./cells";
+import { cornersOf, hangTogether, isDeceiving, isStar, mapsOf } from "./cells";
 import css from "./page.module.css";
 
 const SQUARE: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };
@@ -123,8 +123,21 @@ function Chosen({ cells, onCells, answer }: ChosenProps) {
       </div>
       {cells.length > 1 ? (
         <>
-          <Drawn maps={maps} box={SQUARE} label={`The shape of ${cells.length} cells.`}>
-            {(place) => <PieceNames at={middles(maps, SQUARE).map(place)} />}
+          <Drawn form="square" maps={maps} box={SQUARE} label={`The shape of ${cells.length} cells.`}>
+            {(place) => (
+              <>
+                {cells.map((cell) => (
+                  <path
+                    key={cell}
+                    class={css["cell"]}
+                    d={`M${cornersOf(cell)
+                      .map((corner) => place(corner).join(" "))
+                      .join("L")}Z`}
+                  />
+                ))}
+                <PieceNames at={middles(maps, SQUARE).map(place)} />
+              </>
+            )}
           </Drawn>
           <div class={lessonCss["ask"]}>
             <Graph count={cells.length} angles={angles} still edges={edges} />

@@ -98,7 +98,7 @@ function Chain() {
 
 function Pieces({ maps, label, gap = false }: { maps: MapRow[]; label: string; gap?: boolean }) {
   return (
-    <Drawn maps={maps} box={BOX} flat label={label}>
+    <Drawn maps={maps} box={BOX} form="flat" label={label}>
       {(place) => (
         <>
           <PieceNames at={maps.map((map) => place(apply(map, NAMED)))} />

@@ -208,7 +208,7 @@ function Halfway({ points }: { points: readonly Uv[] }) {
   const judged = useVerdict(maps);
   return (
     <>
-      <Drawn flat maps={maps} box={box} label={`The shape at t = ${fixed(t)} of your way.`} />
+      <Drawn form="flat" maps={maps} box={box} label={`The shape at t = ${fixed(t)} of your way.`} />
       <VerdictChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
       <SliderControl label="moment on your way" symbol="t" step={0.01} value={t} onChange={setT} />
     </>
