@@ -26,7 +26,7 @@ function Halved() {
   return (
     <Exercise
       number={1}
-      ask={`After ${STEPS} steps two points are to be less than half as far apart as they were. How large may the scale be? Find the largest hundredth.`}
+      ask={`After ${STEPS} steps two points are to be less than half as far apart as they were. How large may the scale be? Find the largest with two digits after the point.`}
       hints={[
         "With scale 0.8 a tenth is left. That is far less than half: the scale may be larger.",
         "It is between 0.9 and 0.95.",
@@ -75,7 +75,7 @@ function Resting() {
       status={
         solved
           ? "Half of 6 is 3, and 3 + 3 is 6. All other numbers come to it, step by step."
-          : `${fixed(x, 1)} goes to ${fixed(next(x))}.`
+          : `${x} goes to ${next(x)}.`
       }
     >
       <Line from={solved ? ENDS : [x]} map={next} steps={solved ? MANY : 1} />
@@ -85,7 +85,7 @@ function Resting() {
           range={[0, 10]}
           step={0.5}
           value={x}
-          text={fixed(x, 1)}
+          text={String(x)}
           onChange={(to) => setX(Number(to.toFixed(1)))}
         />
       </div>

@@ -46,7 +46,7 @@ export function Page(heading: Heading) {
           </p>
           <p>
             It is applied {STEPS} times, and marks show where one point goes. Drag the scale{" "}
-            <Formula>s</Formula>, and find out where home becomes away.
+            <Formula>s</Formula>, and find out from where on it does not come home.
           </p>
         </>
       }

@@ -54,7 +54,7 @@ function Largest() {
   return (
     <Exercise
       number={2}
-      ask={`Rounding moves what each map makes of a point by ${MOVED} at most. How large may the largest copy be, at most, if the leaf is to be within ${WANTED}? Find the largest hundredth.`}
+      ask={`Rounding moves what each map makes of a point by ${MOVED} at most. How large may the largest copy be, at most, if the leaf is to be within ${WANTED}? Find the largest with two digits after the point.`}
       hints={[
         `${MOVED} / (1 − s) must not be more than ${WANTED}.`,
         `So 1 − s must be at least ${MOVED} / ${WANTED}.`,
