@@ -60,7 +60,7 @@ export function Handed() {
     add(found);
     if (found[0]) {
       setWanted(found[0].title);
-      void after(kept.keep(found));
+      await after(kept.keep(found));
     }
     setUnread(problems);
   };
