@@ -51,6 +51,17 @@ describe("styles that are loaded with a tool", () => {
   });
 });
 
+/** What is drawn over a picture has its form from `form`: a page's own would move one against the other. */
+it("no page gives a picture another form than what is drawn over it", () => {
+  const folderOf = (path: string) => path.replace(/\/[^/]*$/, "");
+  const pages = files.filter(({ path }) => /^figures\/(?!kit\/)[^/]+\//.test(path));
+  const drawn = new Set(pages.filter(({ text }) => /<Drawn\b/.test(text)).map(({ path }) => folderOf(path)));
+  const own = pages.filter(({ css, text }) => css && text.includes("--picture-aspect"));
+  expect(drawn.size).toBeGreaterThan(5);
+  expect(own.length).toBeGreaterThan(0);
+  expect(own.map(({ path }) => folderOf(path)).filter((folder) => drawn.has(folder))).toEqual([]);
+});
+
 /** Names of classes from a module: `css["name"]`, where `css` is what the file imports that module as. */
 const importedModules = (text: string) => [...text.matchAll(/import (\w+) from "([.#][^"]+\.module\.css)"/g)];
 const modules = new Map(
