@@ -27,8 +27,8 @@ interface ExerciseProps {
 }
 
 /**
- * Something to be made, which the program can check. Once solved it stays marked, whatever is tried after; the mark says
- * whether what stands there now is a solution.
+ * Something to be made, which the program can check. Once solved it stays marked, whatever is tried after; the mark
+ * says whether what stands there now is a solution.
  */
 export function Exercise({ number, ask, hints, solved, status, children }: ExerciseProps) {
   const lesson = useContext(LessonId);

@@ -19,7 +19,7 @@ export class HandedIn {
     return latest(rows.flatMap((row) => answersIn(row) ?? []));
   }
 
-  /** Keeps them; an older answer to the same sheet under the same name gives way, and the oldest of all where there are too many. */
+  /** Keeps them. What the same name answered to the same sheet before gives way; of too many the oldest do. */
   keep(answers: readonly Answers[]): Promise<void> {
     return this.#database.change("answers", async (rows) => {
       const before = (await rows.getAll()).flatMap((row) => answersIn(row) ?? []);
