@@ -51,6 +51,12 @@ const SPREADS: [Spread; 8] = [
     spread(2, 4, 1.0),
 ];
 
+/// Steps of this spread and longer ones weigh as much as an integral says.
+const COARSE: f64 = 4.0;
+
+/// What a step of no length takes where its share is the least there is.
+const RARE_BITS: f64 = 24.0;
+
 /// How many spreads there are.
 pub const MANY_SPREADS: u64 = SPREADS.len() as u64;
 
@@ -71,6 +77,21 @@ impl Spread {
             3 => x.powf(2.0 / 3.0),
             _ => x.sqrt(),
         }
+    }
+
+    /// The sum of what all steps weigh, where the spread is s: of short ones point by point.
+    fn sum(self, s: f64) -> f64 {
+        if s >= COARSE {
+            return TAU * s.powi(self.near + 2) * self.gamma / (0.5 * f64::from(self.halves));
+        }
+        let reach = (8.0 * s).ceil() as i32;
+        let weight = |x: i32, y: i32| {
+            let r = f64::from(x * x + y * y).sqrt();
+            self.near(r) * (-self.power(r / s)).exp()
+        };
+        // A quarter of the plane, with one of the rays at its rim.
+        let quarter = (0..=reach).flat_map(|x| (1..=reach).map(move |y| weight(x, y)));
+        weight(0, 0) + 4.0 * quarter.sum::<f64>()
     }
 
     fn near(self, r: f64) -> f64 {
@@ -150,22 +171,22 @@ impl StepLaw {
     pub(crate) fn new(width: u64, spread: u64) -> Self {
         let kind = SPREADS[(spread % MANY_SPREADS) as usize];
         let s = (0..width).fold(NARROWEST, |s, _| s * WIDER);
-        let area = TAU * s.powi(kind.near + 2) * kind.gamma / (0.5 * f64::from(kind.halves));
         let fall = 1.0 / (kind.power(s) * LN_2);
-        Self { width, spread, kind, s, base: area.log2(), fall, turns: [0.0; SECTORS] }
+        Self { width, spread, kind, s, base: kind.sum(s).log2(), fall, turns: [0.0; SECTORS] }
     }
 
     /// The law by which these steps take the fewest bits, each with the one before it.
     #[must_use]
     pub fn of(pairs: impl Iterator<Item = (DVec2, DVec2)>) -> Self {
-        let (mut powers, mut logs, mut many) = ([0.0; 3], 0.0, 0.0);
+        let (mut powers, mut logs, mut many, mut zeros) = ([0.0; 3], 0.0, 0.0, 0.0);
         let mut turns = Turns::new();
         for (step, before) in pairs {
             let r = step.length();
             powers[0] += r;
             powers[1] += r * r.sqrt();
             powers[2] += r * r;
-            logs += r.max(0.5).log2();
+            logs += if r > 0.0 { r.log2() } else { 0.0 };
+            zeros += f64::from(u8::from(r == 0.0));
             many += 1.0;
             turns.count(step, before);
         }
@@ -177,7 +198,8 @@ impl StepLaw {
             Self::new(width as u64, spread)
         };
         let bits = |law: &Self| {
-            many * law.base - f64::from(law.kind.near) * logs
+            let none = if law.kind.near > 0 { zeros * (RARE_BITS - law.base) } else { 0.0 };
+            many * law.base + none - f64::from(law.kind.near) * logs
                 + powers[law.kind.halves as usize - 2] * law.fall
         };
         let best = (0..MANY_SPREADS).map(law).min_by(|a, b| bits(a).total_cmp(&bits(b)));
@@ -206,8 +228,13 @@ impl StepLaw {
 
     fn length_bits(&self, step: DVec2) -> f64 {
         let r = step.length();
-        let bits = self.base + self.kind.power(r) * self.fall;
-        if self.kind.near == 0 { bits } else { bits - f64::from(self.kind.near) * r.max(0.5).log2() }
+        if self.kind.near == 0 {
+            self.base + self.kind.power(r) * self.fall
+        } else if r > 0.0 {
+            self.base + self.kind.power(r) * self.fall - f64::from(self.kind.near) * r.log2()
+        } else {
+            RARE_BITS
+        }
     }
 
     /// About how many bits a step takes, behind another one.
@@ -337,6 +364,26 @@ mod tests {
         let told = StepLaw::told(pairs.clone());
         let alike: f64 = pairs.map(|(step, _)| law.length_bits(step)).sum();
         assert!(each < told && told < alike - 80.0, "{each} {told} {alike}");
+    }
+
+    #[test]
+    fn short_steps_take_as_many_bits_as_their_shares_say() {
+        let ahead = DVec2::new(1.0, 0.0);
+        let mixed: Vec<DVec2> =
+            (0..90).map(|i| if i % 3 == 0 { ahead } else { DVec2::ZERO }).chain([DVec2::ONE]).collect();
+        for steps in [vec![DVec2::ZERO; 50], vec![ahead; 50], mixed] {
+            let law = StepLaw::of(steps.iter().map(|&step| (step, DVec2::ZERO)));
+            let mut table = Table::new(law, 8);
+            let columns = table.columns(DVec2::ZERO);
+            for step in [DVec2::ZERO, ahead, DVec2::ONE] {
+                let (i, j) = ((step.x + 8.0) as usize, (step.y + 8.0) as usize);
+                let rows = table.rows(i);
+                let part = |sums: &[u64], i: usize| (sums[i + 1] - sums[i]) as f64 / ALL as f64;
+                let bits = -(part(&columns, i) * part(&rows, j)).log2();
+                let told = law.bits(step, DVec2::ZERO);
+                assert!(told > 0.0 && (bits - told).abs() < 0.2 || bits > 18.0, "{step} {bits} {told}");
+            }
+        }
     }
 
     #[test]
