@@ -10,6 +10,9 @@ struct Colours {
     premultiply: f32,
     // 1 where codes are colours, eight bits each.
     tinted: f32,
+    slope: f32,
+    towards: f32,
+    unused: vec2<f32>,
 }
 
 @group(0) @binding(1) var<uniform> colours: Colours;

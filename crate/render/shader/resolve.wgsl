@@ -27,7 +27,7 @@ fn finish(sum: vec4<f32>, alpha: f32, light: f32) -> vec4<f32> {
     }
     let scale = 1.0 + (alpha - 1.0) * colours.premultiply;
     let mean = sum.rgb / sum.a;
-    return vec4<f32>((mean + (1.0 - mean) * light) * scale, alpha);
+    return vec4<f32>((mean + (colours.towards - mean) * light) * scale, alpha);
 }
 
 @group(0) @binding(2) var codes: texture_2d<u32>;
@@ -76,8 +76,9 @@ fn density_resolve(@builtin(position) position: vec4<f32>) -> @location(0) vec4<
     // Sums have the size of the picture.
     // Half floats end at 65504; what is beyond would be infinite, and so no colour.
     let sum = min(textureLoad(sums, vec2<i32>(position.xy), 0), vec4<f32>(65504.0));
-    let alpha = tone(sum.a * colours.gain);
-    return finish(sum, alpha, glow(alpha));
+    let density = sum.a * colours.gain;
+    let response = respond(density, colours.slope);
+    return finish(sum, tone(density, response), glow(response));
 }
 
 // A picture that was made on the processor, by the twins of the above.

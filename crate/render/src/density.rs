@@ -1,7 +1,12 @@
 //! How dense the measure lies in each pixel.
 
+mod contrast;
+
+pub(crate) use contrast::Contrast;
+
 use crate::coverage::sweep::Sweep;
 use crate::picture::colour::Colours;
+use crate::picture::tone::Tone;
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
@@ -19,6 +24,8 @@ pub struct Density {
     pub gain: f32,
     /// How many pixels are lit, roughly.
     pub lit: usize,
+    /// How masses become tones.
+    pub tone: Tone,
 }
 
 /// The mean is taken over blocks of so many pixels each way: it need not be exact, only steady.
@@ -44,7 +51,16 @@ impl Density {
         Sweep::new(frame, coarse, blocks, 0.5).run(COUNTING_VISITS, |_| lit += 1);
         let lit = lit.max(1) * (BLOCK_SIDE * BLOCK_SIDE) as usize;
         let gain = if seen > 0.0 { (lit as f64 / seen) as f32 } else { 0.0 };
-        Self { pieces, sampler: Sampler::new(frame, samples), gain, lit }
+        let tone = Contrast::of(frame).tone(&pieces, window);
+        Self { pieces, sampler: Sampler::new(frame, samples), gain, lit, tone }
+    }
+
+    /// What sums over one pass are multiplied by to have 1 for a middle tone.
+    #[must_use]
+    pub fn tone_gain(&self) -> f32 {
+        // In the mean over the measure a pixel has at least what it has in the mean over the pixels. Where pieces overlap
+        // without end, what they tell one by one is too little.
+        if self.gain > 0.0 { (1.0 / (self.tone.middle * f64::from(self.gain)).max(1.0)) as f32 } else { 0.0 }
     }
 
     /// Adds one pass on the CPU: for each pixel the sum of weighted colours, and of weights, which mean

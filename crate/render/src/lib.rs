@@ -32,7 +32,8 @@
 //!    complete.
 //!    [`rasterize_directed`] draws shapes of several states.
 //! 4. A [`Plan`] is the same picture as points that a graphics card places; [`PlacedPoints`] tells which pixels they
-//!    light, so that a sweep finds the others. A [`Density`] spreads samples after the measure.
+//!    light, so that a sweep finds the others. A [`Density`] spreads samples after the measure, and its tones go by what
+//!    the pieces in view tell of the masses of their pixels.
 //! 5. [`bent`] draws what a [`Bend`](frond_deform::Bend) deforms: in pieces that are even in themselves. `sheet` does
 //!    it to a photograph.
 //! 6. [`solid`] is space: a [`Traversal`](solid::Traversal) leaves a depth buffer, which is shaded; points are splats.
@@ -48,6 +49,8 @@
 //! - Burch and Hart, "Linear Fractal Shape Interpolation": the attractors, and colours by the first map.
 //! - Fujimoto, Ohno, Muraoka and Chiba, "Fractal Deformation": what [`bent`] and `sheet` draw.
 //! - Darwish and Abd-El-Wahab, "IFS Fractal Animation": what [`solid`] draws.
+//! - Naka and Rushton, "S-potentials from colour units in the retina of fish" (1966), and Reinhard and Devlin, "Dynamic
+//!   range reduction inspired by photoreceptor physiology" (2005): the tones of densities.
 //! - Gibson, "Constrained Elastic Surface Nets" (1998), and Latecki, "3D well-composed pictures" (1997): [`mesh`].
 //! - Greene, Kass and Miller, "Hierarchical Z-buffer visibility" (1993): how [`solid`] passes over what is hidden.
 

@@ -7,7 +7,7 @@ use thiserror::Error;
 use crate::bent::{AnchorError, Bent, BentSweep};
 use crate::coverage::sweep::{Progress, Sweep};
 use crate::density::Density;
-use crate::picture::colour::Colours;
+use crate::picture::colour::{Colours, is_for_light_ground};
 use crate::picture::resolve::{picture_of_codes, picture_of_density};
 use crate::picture::view::View;
 use crate::picture::window::Window;
@@ -30,6 +30,9 @@ pub struct RasterOptions<'a> {
     pub smooth: bool,
     /// How bright a density is: 1 by default.
     pub exposure: f32,
+    /// Whether the picture is for a light ground: what is dense is darkened there, and else lightened. By default it is
+    /// where the colours of the palette are dark.
+    pub light_ground: Option<bool>,
     /// What bends the attractor. It must have been made for the same maps.
     pub bend: Option<&'a Bend>,
 }
@@ -44,8 +47,15 @@ impl Default for RasterOptions<'_> {
             palette: &[],
             smooth: true,
             exposure: 1.0,
+            light_ground: None,
             bend: None,
         }
+    }
+}
+
+impl RasterOptions<'_> {
+    fn is_light(&self) -> bool {
+        self.light_ground.unwrap_or_else(|| is_for_light_ground(self.palette))
     }
 }
 
@@ -179,6 +189,8 @@ impl Ground {
     }
 
     fn picture_of_density(&mut self, density: Density, options: &RasterOptions<'_>) -> Vec<u8> {
+        self.colours.slope = density.tone.slope;
+        self.colours.towards = if options.is_light() { 0.0 } else { 1.0 };
         let (sums, gain) = densities(&self.frame, density, self.window, &self.colours);
         self.colours.source = [self.window.width as i32, self.window.height as i32];
         self.colours.gain = gain * options.exposure.max(0.0);
@@ -208,7 +220,7 @@ pub fn codes(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> 
 const POINTS_A_PIXEL: usize = 40;
 const MOST_POINTS: usize = 40_000_000;
 
-/// The densities of the pixels, and what multiplied by makes their mean 1.
+/// The densities of the pixels, and what multiplied by makes a middle tone 1.
 fn densities(frame: &Frame, mut density: Density, window: Window, colours: &Colours) -> (Vec<[f32; 4]>, f32) {
     let mut sums = vec![[0.0; 4]; window.area()];
     let mut samples = Vec::new();
@@ -218,7 +230,7 @@ fn densities(frame: &Frame, mut density: Density, window: Window, colours: &Colo
         points += density.accumulate(frame, colours, window, &mut samples, &mut sums);
         passes += 1;
     }
-    (sums, 1.0 / f32::from(passes.max(1)))
+    (sums, density.tone_gain() / f32::from(passes.max(1)))
 }
 
 #[cfg(test)]

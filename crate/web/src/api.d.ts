@@ -789,6 +789,11 @@ export interface RasterOptions {
   smooth?: boolean;
   /** How bright a density is. Default 1. */
   exposure?: number;
+  /**
+   * Whether the picture is for a light ground: what is dense is darkened there, and else lightened. Default:
+   * where the colours of the palette are dark.
+   */
+  lightGround?: boolean;
   /** What bends the attractor. */
   bend?: Bend;
 }

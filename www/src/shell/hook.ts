@@ -76,7 +76,7 @@ async function twin(which: Which = "main"): Promise<Pixels> {
   const ratio = (await readPixels()).width / stageSize.peek().width;
   const { x, y, scale } = effectiveView.peek();
   const view = { x, y, scale: scale * ratio };
-  const { colouring, palette } = stageStyle.peek();
+  const { colouring, palette, lightGround = false } = stageStyle.peek();
   const maps = (which === "main" ? shown : linear).peek();
   const bent = selection.peek() ? null : bend.peek();
   const photograph = which === "main" ? pictureShown.peek() : null;
@@ -90,6 +90,7 @@ async function twin(which: Which = "main"): Promise<Pixels> {
     view,
     colouring,
     palette,
+    lightGround,
     ...(bent ? { bend: bent } : {}),
   });
   return { width, height, data };

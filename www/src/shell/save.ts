@@ -50,8 +50,9 @@ export async function stageStill(): Promise<Still> {
     if (photograph) return sheetDrawer(look, alone, { picture: photograph, parts, view }, () => bent);
     if (curve) return curveDrawer(look, colouring, () => ({ s, bend: bent, view }), photographs);
     if (way) return directedDrawer(look, way, colouring, () => ({ t, view }));
-    const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
-    const options = { view, colouring, palette: colours, ...(bent ? { bend: bent } : {}) };
+    const lightGround = !isDark(look.ground);
+    const palette = pieceColours(lightGround ? "light" : "dark");
+    const options = { view, colouring, palette, lightGround, ...(bent ? { bend: bent } : {}) };
     return planeDrawer(look, alone, () => ({ maps, weights, options }));
   };
 

@@ -13,6 +13,7 @@ const colours = computed(() => pieceColours(dark.value ? "dark" : "light"));
 export const stageStyle: ReadonlySignal<RenderStyle> = computed(() => ({
   colouring: colouring.value,
   palette: colours.value,
+  lightGround: !dark.value,
 }));
 
 /** How often the chaos game takes each map, where that is to be seen: without a density no pixel hangs on it. */

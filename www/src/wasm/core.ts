@@ -9,6 +9,8 @@ export interface RenderStyle {
   /** "#rrggbb" */
   palette: string[];
   exposure?: number;
+  /** Whether what is dense is darkened, for a light ground, and not lightened. */
+  lightGround?: boolean;
 }
 
 /** The module of the first picture. */

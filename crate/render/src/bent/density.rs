@@ -1,7 +1,7 @@
 //! How dense the measure lies in each pixel of a bent attractor.
 
 use super::{Bent, Cut, Cutter, Fineness};
-use crate::density::Density;
+use crate::density::{Contrast, Density};
 use crate::picture::bitmap::Bitmap;
 use crate::picture::window::Window;
 use crate::pieces::measure::{MassPiece, Sampler};
@@ -56,6 +56,7 @@ impl Density {
         let lit = count.max(1) * (BLOCK_SIDE * BLOCK_SIDE) as usize;
         let gain = if seen > 0.0 { (lit as f64 / seen) as f32 } else { 0.0 };
         let samples = (points / pieces.len().max(1)).clamp(1, 2048);
-        Self { pieces, sampler: Sampler::new(bent.frame, samples), gain, lit }
+        let tone = Contrast::of(bent.frame).tone(&pieces, bent.window);
+        Self { pieces, sampler: Sampler::new(bent.frame, samples), gain, lit, tone }
     }
 }

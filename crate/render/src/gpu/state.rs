@@ -8,7 +8,7 @@ use super::passes::density::DensityPass;
 use super::passes::points::PointsPass;
 use super::pipelines::{Kind, Pipelines};
 use super::target::{Paint, Target};
-use crate::picture::colour::Colours;
+use crate::picture::colour::{Colours, is_for_light_ground};
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
@@ -34,11 +34,14 @@ pub struct Style {
     pub palette: Vec<[u8; 3]>,
     /// How bright a density is: 1 by default.
     pub exposure: f32,
+    /// Whether what is dense is darkened, for a light ground, and not lightened. By default it is where the colours of
+    /// the palette are dark.
+    pub light_ground: Option<bool>,
 }
 
 impl Default for Style {
     fn default() -> Self {
-        Self { colouring: Colouring::Map, palette: Vec::new(), exposure: 1.0 }
+        Self { colouring: Colouring::Map, palette: Vec::new(), exposure: 1.0, light_ground: None }
     }
 }
 
@@ -203,11 +206,14 @@ impl StageState {
     /// The colours of a picture: what it is made from, the pixels of that for each one shown, and what sums are
     /// multiplied by. `tinted` says whether its codes are colours.
     pub fn colours(&self, frame: &Frame, tinted: bool, source: Window, factor: f64, gain: f32) -> Colours {
+        let light = self.style.light_ground.unwrap_or_else(|| is_for_light_ground(&self.style.palette));
         Colours {
             source: [source.width as i32, source.height as i32],
             factor: factor as f32,
             gain: self.style.exposure.max(0.0) * gain,
             tinted: f32::from(u8::from(tinted)),
+            slope: self.density.slope(),
+            towards: f32::from(u8::from(!light)),
             ..Colours::new(self.style.colouring, &self.style.palette, frame.maps.len())
         }
     }

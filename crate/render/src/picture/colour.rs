@@ -39,6 +39,12 @@ pub struct Colours {
     pub premultiply: f32,
     /// 1 where codes are colours, 0 where they are letters.
     pub tinted: f32,
+    /// How steep tones are, see [`crate::tone`].
+    pub slope: f32,
+    /// What the densest colours go towards: 1 for white, on a dark ground, 0 for black, on a light one.
+    pub towards: f32,
+    /// Uniform buffers come in sixteens of bytes.
+    pub unused: [f32; 2],
 }
 
 impl Colours {
@@ -59,6 +65,9 @@ impl Colours {
             gain: 0.0,
             premultiply: 0.0,
             tinted: 0.0,
+            slope: 1.0,
+            towards: 1.0,
+            unused: [0.0; 2],
         }
     }
 
@@ -79,6 +88,19 @@ impl Colours {
         let towards = if shift > 0.0 { 1.0 } else { 0.0 };
         [r, g, b].map(|c| c + (towards - c) * shift.abs())
     }
+}
+
+/// A palette whose mean luminance (with squares in place of sRGB's curve) is less is made for a light ground: that of Okabe
+/// and Ito has 0.34, the one of the page for light paper 0.23.
+const LIGHT_GROUND_LUMINANCE: f32 = 0.28;
+
+/// Whether a palette is made for a light ground: its colours are dark. An empty one stands for that of Okabe and Ito.
+#[must_use]
+pub(crate) fn is_for_light_ground(palette: &[[u8; 3]]) -> bool {
+    let square = |c: u8| (f32::from(c) / 255.0) * (f32::from(c) / 255.0);
+    let luminance = |[r, g, b]: &[u8; 3]| 0.2126 * square(*r) + 0.7152 * square(*g) + 0.0722 * square(*b);
+    let total: f32 = palette.iter().map(luminance).sum();
+    total < LIGHT_GROUND_LUMINANCE * palette.len() as f32
 }
 
 /// A colour, sRGB from 0 to 1, as 24 bits: the red ones first.
@@ -135,7 +157,16 @@ mod tests {
     }
 
     #[test]
+    fn a_palette_tells_for_which_ground_it_is_made() {
+        // Those of the page, for light paper and for a dark stage.
+        let light = [[0xc4, 0x78, 0x00], [0x00, 0x72, 0xb2], [0x00, 0x83, 0x5f], [0x8f, 0x85, 0x00]];
+        let dark = [[0xe6, 0x9f, 0x00], [0x56, 0xb4, 0xe9], [0x00, 0x9e, 0x73], [0xf0, 0xe4, 0x42]];
+        assert!(is_for_light_ground(&light) && is_for_light_ground(&[[0, 0, 0]]));
+        assert!(!is_for_light_ground(&dark) && !is_for_light_ground(&[]) && !is_for_light_ground(&OKABE_ITO));
+    }
+
+    #[test]
     fn the_uniform_buffer_has_the_size_that_the_shader_declares() {
-        assert_eq!(size_of::<Colours>(), 64 * 16 + 32);
+        assert_eq!(size_of::<Colours>(), 64 * 16 + 48);
     }
 }

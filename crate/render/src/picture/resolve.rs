@@ -1,7 +1,7 @@
 //! From what was drawn to the picture that is shown: the CPU twin of `shader/resolve.wgsl`.
 
 use crate::picture::colour::Colours;
-use crate::picture::tone::{cover, glow, tone};
+use crate::picture::tone::{cover, glow, respond, tone};
 use crate::picture::window::Window;
 
 /// A source of four texels around a point, with their weights: how pictures are shrunk to half (each
@@ -105,11 +105,12 @@ fn whole(colours: &Colours, code: u32) -> [f32; 4] {
 #[must_use]
 pub fn resolve_density(colours: &Colours, sums: &[[f32; 4]], [x, y]: [i32; 2]) -> [f32; 4] {
     let sum = sums[(y * colours.source[0] + x) as usize];
-    let alpha = tone(sum[3] * colours.gain);
-    finish(colours, sum, alpha, glow(alpha))
+    let density = sum[3] * colours.gain;
+    let response = respond(density, colours.slope);
+    finish(colours, sum, tone(density, response), glow(response))
 }
 
-/// The mean colour of a sum, lightened, with an alpha.
+/// The mean colour of a sum, moved away from the ground, with an alpha.
 fn finish(colours: &Colours, sum: [f32; 4], alpha: f32, light: f32) -> [f32; 4] {
     if sum[3] <= 0.0 {
         return [0.0; 4];
@@ -117,7 +118,7 @@ fn finish(colours: &Colours, sum: [f32; 4], alpha: f32, light: f32) -> [f32; 4] 
     let scale = 1.0 + (alpha - 1.0) * colours.premultiply;
     let [r, g, b] = [sum[0], sum[1], sum[2]].map(|c| {
         let mean = c / sum[3];
-        (mean + (1.0 - mean) * light) * scale
+        (mean + (colours.towards - mean) * light) * scale
     });
     [r, g, b, alpha]
 }
@@ -192,11 +193,17 @@ mod tests {
 
     #[test]
     fn densities_mix_colours_and_take_their_alpha_from_the_tone() {
-        let colours = Colours { gain: 2.0, ..colours([1, 1], 1.0) };
+        let colours = Colours { gain: 2.0, slope: 1.5, ..colours([1, 1], 1.0) };
         let [r, g, b, alpha] = resolve_density(&colours, &[[0.05, 0.0, 0.15, 0.2]], [0, 0]);
         assert!((r - 0.25).abs() < 1e-6 && g == 0.0 && (b - 0.75).abs() < 1e-6);
-        assert_eq!(alpha, tone(0.4));
+        assert_eq!(alpha, tone(0.4, respond(0.4, 1.5)));
         assert_eq!(resolve_density(&colours, &[[0.0; 4]], [0, 0]), [0.0; 4]);
+        // What is dense is farther from the ground, light or dark.
+        let dense =
+            |towards| resolve_density(&Colours { towards, ..colours }, &[[1.0, 0.0, 3.0, 4.0]], [0, 0]);
+        let ([light, _, lit, one], [dark, _, dim, all]) = (dense(1.0), dense(0.0));
+        assert!(light > 0.5 && lit > 0.85 && dark < 0.15 && dim < 0.45, "{light} {lit} {dark} {dim}");
+        assert_eq!([one, all], [1.0; 2]);
     }
 
     #[test]

@@ -233,7 +233,8 @@ async fn densities_are_those_of_the_twins() {
             }
             assert_eq!(points, drawn.points);
             colours.source = [WINDOW.width as i32, WINDOW.height as i32];
-            colours.gain = 1.0 / passes;
+            colours.gain = density.tone_gain() / passes;
+            colours.slope = density.tone.slope;
             let expected = picture(|at| resolve_density(&colours, &sums, at));
             // Half floats keep eleven bits, and lose a little with each sum.
             assert_same(&format!("{wanted:?} software {software}"), &seen, &expected, 6);

@@ -36,6 +36,8 @@ struct Plain {
     palette: Vec<String>,
     smooth: Option<bool>,
     exposure: Option<f32>,
+    #[serde(rename = "lightGround")]
+    light_ground: Option<bool>,
 }
 
 /// The picture that `draw` makes with these options.
@@ -54,6 +56,7 @@ pub(crate) fn picture(
         palette: &palette,
         smooth: plain.smooth.unwrap_or(true),
         exposure: plain.exposure.unwrap_or(1.0),
+        light_ground: plain.light_ground,
         bend: None,
     };
     let pixels = draw(&options).map_err(|error| failure(error.code(), &error.to_string()))?;

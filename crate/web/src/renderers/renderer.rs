@@ -34,6 +34,8 @@ struct PlainStyle {
     #[serde(default)]
     palette: Vec<String>,
     exposure: Option<f32>,
+    #[serde(rename = "lightGround")]
+    light_ground: Option<bool>,
 }
 
 #[wasm_bindgen]
@@ -144,7 +146,7 @@ impl Renderer {
     pub fn set_style(
         &mut self,
         #[wasm_bindgen(
-            unchecked_param_type = "{ colouring?: Colouring; palette?: string[]; exposure?: number }"
+            unchecked_param_type = "{ colouring?: Colouring; palette?: string[]; exposure?: number; lightGround?: boolean }"
         )]
         style: JsValue,
     ) -> Result<(), JsValue> {
@@ -153,6 +155,7 @@ impl Renderer {
             colouring: plain.colouring,
             palette: read_palette(&plain.palette)?,
             exposure: plain.exposure.unwrap_or(1.0),
+            light_ground: plain.light_ground,
         });
         Ok(())
     }

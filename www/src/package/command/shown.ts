@@ -116,12 +116,18 @@ async function planeShown(scene: Scene, system: System): Promise<Shown> {
       const track = bending && there.length > 0 ? stillTrack(union(there), 2) : calmTrack(boxes);
       const systems = await mapsAt(moments);
       const pool = system.pool();
-      const colours = scene.palette ?? palette(ground !== null && dark(ground) ? "dark" : "light");
+      const lightGround = ground === null || !dark(ground);
+      const colours = scene.palette ?? palette(lightGround ? "light" : "dark");
       return (i) => {
         const moment = moments[i] ?? 0;
         const view = viewOf(boxAt(track, moment), width, height);
         const now = bendNow(moment);
-        const style = { colouring: scene.colouring, palette: colours, ...(now ? { bend: now } : {}) };
+        const style = {
+          colouring: scene.colouring,
+          palette: colours,
+          lightGround,
+          ...(now ? { bend: now } : {}),
+        };
         return pool.rasterize(systems[i] ?? { maps: [] }, { width, height, view, ...style });
       };
     },

@@ -82,6 +82,7 @@ function atOnce(): HTMLElement {
       view: { ...seen, scale: FINE * seen.scale },
       colouring: scene.peek().colouring,
       palette: pieceColours("light"),
+      lightGround: true,
       ...(bent ? { bend: bent } : {}),
     };
     try {

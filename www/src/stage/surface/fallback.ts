@@ -101,6 +101,7 @@ export class Fallback implements Surface {
       view: { ...view, scale: view.scale / coarse },
       colouring: style.colouring,
       palette: style.palette,
+      lightGround: style.lightGround ?? false,
       ...(bend ? { bend } : {}),
     };
     const arrived = () => {

@@ -50,11 +50,12 @@ export async function films(): Promise<Films> {
     const view = frameView(box, look);
     if (photograph) return sheetDrawer(look, alone, { picture: photograph, parts: bent.parts, view }, bendOf);
     if (curved.peek()) return curveDrawer(look, colouring, (at) => ({ s, bend: bendOf(at), view }));
-    const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
+    const lightGround = !isDark(look.ground);
+    const palette = pieceColours(lightGround ? "light" : "dark");
     return planeDrawer(look, alone, (at) => ({
       maps,
       weights: shownWeights.peek(),
-      options: { view, colouring, palette: colours, bend: bendOf(at) },
+      options: { view, colouring, palette, lightGround, bend: bendOf(at) },
     }));
   };
 

@@ -55,14 +55,15 @@ export async function films(): Promise<Films> {
     if (way) {
       return directedDrawer(look, way, colouring, (at) => ({ t: moment(at), view: view(moment(at)) }));
     }
-    const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
+    const lightGround = !isDark(look.ground);
+    const palette = pieceColours(lightGround ? "light" : "dark");
     return planeDrawer(look, how?.alone ?? false, (at) => {
       const t = moment(at);
       const here = uvAt(points, t);
       return {
         maps: mapsAt(here, options),
         weights: weightsAt(here, options),
-        options: { view: view(t), colouring, palette: colours, ...(bent ? { bend: bent } : {}) },
+        options: { view: view(t), colouring, palette, lightGround, ...(bent ? { bend: bent } : {}) },
       };
     });
   };

@@ -10,7 +10,7 @@ type View = NonNullable<RasterOptions["view"]>;
 export interface PlaneMoment {
   maps: MapRow[];
   weights?: number[] | undefined;
-  options: Pick<RasterOptions, "colouring" | "palette" | "bend"> & { view: View };
+  options: Pick<RasterOptions, "colouring" | "palette" | "lightGround" | "bend"> & { view: View };
 }
 
 /** Draws attractors of the plane, side by side. */

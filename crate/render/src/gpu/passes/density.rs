@@ -129,13 +129,18 @@ impl DensityPass {
         &self.sums
     }
 
-    /// What those are multiplied by to have a mean of 1.
+    /// What those are multiplied by to have 1 for a middle tone.
     pub fn software_gain(&self) -> f32 {
-        1.0 / f32::from(self.passes.max(1))
+        self.density.as_ref().map_or(0.0, Density::tone_gain) / f32::from(self.passes.max(1))
     }
 
-    /// What sums are multiplied by to have a mean of 1.
+    /// The same for the sums of the graphics card.
     pub fn gain(&self) -> f32 {
-        1.0 / (f32::from(self.passes.max(1)) * WEIGHT_SCALE)
+        self.software_gain() / WEIGHT_SCALE
+    }
+
+    /// How steep tones are.
+    pub fn slope(&self) -> f32 {
+        self.density.as_ref().map_or(1.0, |density| density.tone.slope)
     }
 }
