@@ -58,8 +58,8 @@ impl Density {
     /// What sums over one pass are multiplied by to have 1 for a middle tone.
     #[must_use]
     pub fn tone_gain(&self) -> f32 {
-        // In the mean over the measure a pixel has at least what it has in the mean over the pixels. Where pieces overlap
-        // without end, what they tell one by one is too little.
+        // In the mean over the measure a pixel has at least what it has in the mean over the pixels. Where pieces
+        // overlap without end, what they tell one by one is too little.
         if self.gain > 0.0 { (1.0 / (self.tone.middle * f64::from(self.gain)).max(1.0)) as f32 } else { 0.0 }
     }
 

@@ -32,8 +32,8 @@
 //!    complete.
 //!    [`rasterize_directed`] draws shapes of several states.
 //! 4. A [`Plan`] is the same picture as points that a graphics card places; [`PlacedPoints`] tells which pixels they
-//!    light, so that a sweep finds the others. A [`Density`] spreads samples after the measure, and its tones go by what
-//!    the pieces in view tell of the masses of their pixels.
+//!    light, so that a sweep finds the others. A [`Density`] spreads samples after the measure, and its tones go by
+//!    what the pieces in view tell of the masses of their pixels.
 //! 5. [`bent`] draws what a [`Bend`](frond_deform::Bend) deforms: in pieces that are even in themselves. `sheet` does
 //!    it to a photograph.
 //! 6. [`solid`] is space: a [`Traversal`](solid::Traversal) leaves a depth buffer, which is shaded; points are splats.

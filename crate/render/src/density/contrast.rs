@@ -1,12 +1,12 @@
 //! What densities there are in a view: what their tone goes by.
 //!
-//! Nothing is counted on the screen, over which a shape slides. Each piece is a copy of the whole, so that it tells the
-//! masses of its pixels by itself: if it has the mass *p* and is *r* pixels large, the logarithm of the mass of a pixel
-//! is `ln p - d ln r + c` in the mean over the measure. Here *d* is the dimension of the measure,
-//! `sum p ln p / sum p ln r` over the maps (Young, "Dimension, entropy and Lyapunov exponents", 1982, for maps that keep
-//! angles and pieces that do not overlap; for others it is near), with which it does not matter how far pieces are taken
-//! apart; *c* is of the shape alone, and counted once on a grid that lies in its frame. The variance grows by the same
-//! amount for each map on the way down to a pixel. So tones are steady while one zooms and pans, and go by what is seen.
+//! Nothing is counted on the screen, over which a shape slides. Each piece is a copy of the whole, so that it tells
+//! the masses of its pixels by itself: if it has the mass *p* and is *r* pixels large, the logarithm of the mass of a
+//! pixel is `ln p - d ln r + c` in the mean over the measure. Here *d* is the dimension of the measure, `sum p ln p /
+//! sum p ln r` over the maps (Young, "Dimension, entropy and Lyapunov exponents", 1982, for maps that keep angles and
+//! pieces that do not overlap; for others it is near), with which it does not matter how far pieces are taken apart;
+//! *c* is of the shape alone, and counted once on a grid that lies in its frame. The variance grows by the same amount
+//! for each map on the way down to a pixel. So tones are steady while one zooms and pans, and go by what is seen.
 
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};

@@ -90,8 +90,8 @@ impl Colours {
     }
 }
 
-/// A palette whose mean luminance (with squares in place of sRGB's curve) is less is made for a light ground: that of Okabe
-/// and Ito has 0.34, the one of the page for light paper 0.23.
+/// A palette whose mean luminance (with squares in place of sRGB's curve) is less is made for a light ground: that of
+/// Okabe and Ito has 0.34, the one of the page for light paper 0.23.
 const LIGHT_GROUND_LUMINANCE: f32 = 0.28;
 
 /// Whether a palette is made for a light ground: its colours are dark. An empty one stands for that of Okabe and Ito.
