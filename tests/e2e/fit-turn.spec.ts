@@ -1,5 +1,6 @@
-import { apart, FitTool, file, GREEN, inLeaf, PAPER, png } from "./fit-tool";
+import { apart, FitTool, file, GREEN, inLeaf, PAPER } from "./fit-tool";
 import { expect, test } from "./fixture";
+import { png } from "./png";
 
 /** A leaf at the left of a wide picture. */
 const lying = png(420, 240, (x, y) => (inLeaf(x, y, 115, 120, 105) ? GREEN : PAPER));
