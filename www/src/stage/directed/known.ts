@@ -83,10 +83,12 @@ const partApart = computed(() => {
   return toldStates.value.some(({ verdict }, k) => verdict === "disconnected" && !unreached.includes(k));
 });
 
-/** The first moment of the film at which the shape is proved to be in pieces; null where there is none. */
-export const apartAt: ReadonlySignal<number | null> = computed(
-  () => standInFilm.value.find(({ verdict }) => verdict?.verdict === "disconnected")?.t ?? null,
-);
+/** A moment at which the shape is proved to be in pieces: the first of the film, or the present one. */
+export const apartAt: ReadonlySignal<number | null> = computed(() => {
+  const first = standInFilm.value.find(({ verdict }) => verdict?.verdict === "disconnected");
+  const now = isStale.value || toldNow.value?.verdict !== "disconnected" ? null : directedMoment.value;
+  return first?.t ?? now?.t ?? null;
+});
 
 /** The widest gap that the proof of a whole way asks about. */
 const PROOF_EPSILON = 1 / 100;
