@@ -25,7 +25,7 @@ const KEPT: usize = 16;
 /// Where maps shrink no faster other coordinates may be better.
 const LARGEST_NORM: f64 = 0.97;
 /// Sums looked at most for the least of all.
-const MOST_SUMS: usize = 400;
+const MOST_SUMS: usize = 1500;
 /// Terms at most.
 const MOST_TERMS: usize = 96;
 /// How far the least value may be below the least found, relative to it.
@@ -185,28 +185,35 @@ impl PowerSeries {
         let Self { terms, spans, open } = self;
         open.clear();
         open.push((terms[0], 1));
+        // Its square, so that no root is taken of each sum.
+        let (mut shortest, mut limit) = (least * least, far(least));
         for _ in 0..MOST_SUMS {
             let Some((at, k)) = open.pop() else { return Some(least) };
-            least = lesser(least, at.length());
-            if least <= near {
-                return Some(least);
+            let square = at.length_squared();
+            if square < shortest {
+                shortest = square;
+                least = lesser(least, square.sqrt());
+                limit = far(least);
+                if least <= near {
+                    return Some(least);
+                }
             }
             // All further values lie in the polygon about the sum that the terms left reach.
             let [first, second] = along(at);
             let apart = (first.abs() - spans[k][0]).max(second.abs() - spans[k][1]);
             let [a, b, c, d] = apart.to_array();
-            if larger(larger(a, b), larger(c, d)) >= far(least) {
+            if larger(larger(a, b), larger(c, d)) >= limit {
                 continue;
             }
             let &term = terms.get(k)?;
             let moved = term * at.dot(term).signum();
-            // The most promising last.
-            open.push((at + moved, k + 1));
             let mut two = [(at, k + 1), (at - moved, k + 1)];
-            if (at - moved).length_squared() > at.length_squared() {
+            if two[1].0.length_squared() > square {
                 two.swap(0, 1);
             }
-            open.extend(two);
+            // The most promising last.
+            let [second, first] = two;
+            open.extend([(at + moved, k + 1), second, first]);
         }
         None
     }

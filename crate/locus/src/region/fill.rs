@@ -203,8 +203,11 @@ impl BoxFill<'_> {
             all(State::holds),
             all(|state| state == State::NoAttractor),
         );
+        if !(apart || whole || none) {
+            return false;
+        }
         let open = self.open(area);
-        if open < LEAST_OPEN || !(apart || whole || none) {
+        if open < LEAST_OPEN {
             return false;
         }
         let at = |x, y| DVec2::new(self.grid.u(x), self.grid.v(y));
