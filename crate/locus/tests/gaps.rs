@@ -347,3 +347,37 @@ fn in_space_bounds_are_bounds_as_well_at_any_size() {
     }
     assert!(apart > 40, "{apart}");
 }
+
+#[test]
+fn pieces_that_barely_meet_do_not_keep_others_from_being_seen_to() {
+    // Of a fern on its way to a maple: the first map lays all of the attractor along a line, and what it lies beside is
+    // told from it only by more looks than there are, while others cross it in plain sight.
+    let maps = rows(&[
+        [-0.00956521739130435, 0.0, 0.0, 0.04521739130434782, 0.0, -0.4956521739130434],
+        [
+            1.0258634743508195,
+            0.06744060920283255,
+            -0.07142689232533345,
+            0.9686107769330377,
+            0.0,
+            0.6086956521739132,
+        ],
+        [
+            0.11705893393691205,
+            -0.14433258308013483,
+            0.09649565541137711,
+            0.12710834874755123,
+            -0.28913043478260864,
+            0.27826086956521756,
+        ],
+        [
+            -0.6483623087651778,
+            0.31096385270715143,
+            0.22935313791600592,
+            0.1806472139307551,
+            0.28913043478260864,
+            0.07652173913043483,
+        ],
+    ]);
+    assert_eq!(decide(&maps, 1e-4, 20_000, &mut Scratch::default()).state, State::Touching);
+}

@@ -38,6 +38,9 @@ pub(crate) struct Bracket {
 
 /// How far, relative to it, the lower bound of a gap may be below the upper one.
 const BRACKET_WIDTH: f64 = 0.095;
+/// Looks spent on telling two pieces apart before others are looked at, and how many times as many after that.
+const LOOKS_AT_FIRST: usize = 500;
+const MORE_LOOKS: usize = 4;
 /// Looks spent at most on measuring a gap that is there.
 const LOOKS_TO_MEASURE: usize = 2000;
 /// How many pairs are followed down after a search that was cut short.
@@ -168,8 +171,8 @@ impl CutSearch {
         Bracket { lower: 0.0, upper: self.bottleneck() }
     }
 
-    /// Tells all pairs apart that lie across the cut, the nearest first; `false` if two turn out to meet, or this is
-    /// not found out.
+    /// Tells all pairs apart that lie across the cut, in turns, those that overlap most first; `false` if two turn out
+    /// to meet, or this is not found out.
     fn prove(&mut self, explore: &mut impl Explore<Nearest = ()>, budget: usize) -> bool {
         explore.choose_metric(false);
         self.order.clear();
@@ -177,15 +180,31 @@ impl CutSearch {
             let at = self.descent.edge(i, j);
             let edge = &self.descent.edges[at];
             if self.across[at] && edge.known != Known::Apart {
-                self.order.push((edge.reach, i as u8, j as u8));
+                self.order.push((edge.overlap, i as u8, j as u8));
             }
         }
         self.order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-        for &(_, i, j) in &self.order {
-            if self.descent.tell_apart(explore, i, j, budget) != Known::Apart {
-                self.descent.join_in(&mut self.coarse, i.into(), j.into());
+        let Self { descent, order, coarse, .. } = self;
+        // One pair that meets is enough: so none takes all there is while others have not had as much.
+        let mut share = LOOKS_AT_FIRST;
+        while !order.is_empty() {
+            let mut meets = None;
+            order.retain(|&(_, i, j)| {
+                if meets.is_some() {
+                    return true;
+                }
+                let limit = budget.min(descent.nodes + share);
+                let known = descent.go_on(explore, i, j, limit);
+                if known == Known::Meet || known == Known::Open && descent.nodes >= budget {
+                    meets = Some((i, j));
+                }
+                known != Known::Apart
+            });
+            if let Some((i, j)) = meets {
+                descent.join_in(coarse, i.into(), j.into());
                 return false;
             }
+            share *= MORE_LOOKS;
         }
         true
     }

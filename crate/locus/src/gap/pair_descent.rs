@@ -67,6 +67,10 @@ pub(crate) struct Edge<P> {
     /// The parts that these points were seen in, or those too small to be told apart, if it was not the whole.
     pub parts: Option<(u32, u32)>,
     pub known: Known,
+    /// How deep the two overlap, from the first look.
+    pub overlap: f64,
+    /// Whether the two were looked into.
+    begun: bool,
 }
 
 /// Whether two attractorlets meet.
@@ -89,6 +93,8 @@ pub(crate) struct PairDescent<P> {
     pub met: Components,
     /// Pairs of the two attractorlets in hand that may meet: a stack.
     open: Vec<Pair>,
+    /// The same of others, to be gone on with: see [`PairDescent::go_on`].
+    paused: Vec<Pair>,
     /// Pairs that are apart.
     pub apart: Vec<Pair>,
     /// The same while they are taken in the order of their distances.
@@ -115,10 +121,18 @@ impl<P: Copy + Default> PairDescent<P> {
         (self.count, self.turn, self.thorough) = (count, turn, thorough);
         self.met.reset(count);
         self.edges.clear();
-        let unknown =
-            Edge { lower: 0.0, reach: f64::INFINITY, points: P::default(), parts: None, known: Known::Open };
+        let unknown = Edge {
+            lower: 0.0,
+            reach: f64::INFINITY,
+            points: P::default(),
+            parts: None,
+            known: Known::Open,
+            overlap: 0.0,
+            begun: false,
+        };
         self.edges.resize(count * count, unknown);
         self.apart.clear();
+        self.paused.clear();
         self.by_distance.clear();
         self.nodes = 0;
     }
@@ -183,6 +197,7 @@ impl<P: Copy + Default> PairDescent<P> {
                     }
                     self.nodes += 1;
                     self.edges[at].lower = sight.apart;
+                    self.edges[at].overlap = sight.overlap;
                     self.edges[at].note(&sight, None);
                     if self.edges[at].reach <= self.near {
                         self.join(i, j as usize);
@@ -203,8 +218,35 @@ impl<P: Copy + Default> PairDescent<P> {
         j: u8,
         budget: usize,
     ) -> Known {
-        let at = self.edge(i.into(), j.into());
         let found = self.apart.len();
+        self.begin_pair(explore, i, j);
+        let known = self.search(explore, i, j, budget);
+        if known != Known::Apart {
+            self.apart.truncate(found);
+        }
+        known
+    }
+
+    /// [`PairDescent::tell_apart`], from where it ended the last time for these two, for as long as fewer than `limit`
+    /// looks were spent in all.
+    pub fn go_on(&mut self, explore: &mut impl Explore<Nearest = P>, i: u8, j: u8, limit: usize) -> Known {
+        let at = self.edge(i.into(), j.into());
+        if std::mem::replace(&mut self.edges[at].begun, true) {
+            self.open.clear();
+            self.open.extend(self.paused.extract_if(.., |pair| (pair.i, pair.j) == (i, j)));
+        } else {
+            self.begin_pair(explore, i, j);
+        }
+        let known = self.search(explore, i, j, limit);
+        if known == Known::Open {
+            self.paused.append(&mut self.open);
+        }
+        known
+    }
+
+    /// Leaves two attractorlets as they are to be looked into.
+    fn begin_pair(&mut self, explore: &mut impl Explore<Nearest = P>, i: u8, j: u8) {
+        let at = self.edge(i.into(), j.into());
         let (u, v) = explore.root(i, j);
         let root = Pair { key: Total(self.edges[at].lower), u, v, i, j };
         self.open.clear();
@@ -213,6 +255,11 @@ impl<P: Copy + Default> PairDescent<P> {
         } else {
             self.open.push(root);
         }
+    }
+
+    /// Looks into what is open of two attractorlets.
+    fn search(&mut self, explore: &mut impl Explore<Nearest = P>, i: u8, j: u8, budget: usize) -> Known {
+        let at = self.edge(i.into(), j.into());
         let mut known = Known::Apart;
         while let Some(pair) = self.open.pop() {
             if explore.is_small(&pair) {
@@ -221,6 +268,7 @@ impl<P: Copy + Default> PairDescent<P> {
                 break;
             }
             if self.nodes >= budget {
+                self.open.push(pair);
                 known = Known::Open;
                 break;
             }
@@ -232,9 +280,6 @@ impl<P: Copy + Default> PairDescent<P> {
         match known {
             Known::Meet => self.join(i.into(), j.into()),
             _ => self.edges[at].known = known,
-        }
-        if known != Known::Apart {
-            self.apart.truncate(found);
         }
         known
     }
