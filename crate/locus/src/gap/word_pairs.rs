@@ -13,6 +13,8 @@ use crate::support::table::SupportTable;
 
 /// After so many looks a finer table of support values pays.
 const LOOKS_BEFORE_FINE: usize = 150;
+/// And one that is finer still, which takes longer to make.
+const LOOKS_BEFORE_FINEST: usize = 2000;
 
 /// The pieces of the maps of a frame; `P` is what is kept of the nearest points.
 pub(crate) struct WordPairs<'a, P> {
@@ -108,8 +110,12 @@ impl<P: Nearest> Explore for WordPairs<'_, P> {
 
     /// Splits the larger piece.
     fn split(&mut self, pair: &Pair, mut see: impl FnMut(u32, u32, Sight<P>) -> ControlFlow<()>) {
+        let accuracy = 1.0 - self.frame.factor;
         if self.looks > LOOKS_BEFORE_FINE && !self.support.is_fine() {
-            self.support.set(&self.frame.maps, 0.012 * (1.0 - self.frame.factor), 64);
+            self.support.set(&self.frame.maps, 0.012 * accuracy, 64);
+        }
+        if self.looks > LOOKS_BEFORE_FINEST && !self.support.is_finest() {
+            self.support.set_finest(&self.frame.maps, 0.003 * accuracy, 256);
         }
         let (parts, first) = self.tree.parts_of_larger(self.frame, pair.u, pair.v);
         let other = if first { pair.v } else { pair.u };

@@ -3,6 +3,7 @@
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
+use crate::support::extremes::larger;
 use crate::support::f64x4::{DVec2x4, F64x4};
 
 /// The support function `h(d) = max { d . x : x in A }` of an attractor, bounded from above in a fan of
@@ -47,9 +48,9 @@ struct Place {
 
 /// 1.5 * 2^52: floats around here are whole, and hold their number in their lowest bits.
 const ROUND_TO_WHOLE: f64 = 6_755_399_441_055_744.0;
-/// As many as six bits reach, and one more: so NaN, which may give any, reads nothing outside.
+/// As many as seven bits reach, and one more: so NaN, which may give any, reads nothing outside.
 const TABLE: usize = INDEX_MASK as usize + 2;
-const INDEX_MASK: u64 = 63;
+const INDEX_MASK: u64 = 127;
 
 /// Places four directions in a fan of `per` a side.
 ///
@@ -86,6 +87,8 @@ impl Default for SupportTable {
 /// Directions a side of a fan that is to be as tight as can be, and of one that is to be made quickly.
 const FINE_PER_SIDE: usize = 8;
 const ROUGH_PER_SIDE: usize = 4;
+/// The same where very many looks are to be saved.
+const FINEST_PER_SIDE: usize = 16;
 
 impl SupportTable {
     /// Bounds the attractor of `maps`, which is known to lie in the unit disc: support values are lowered
@@ -95,6 +98,11 @@ impl SupportTable {
     /// Every value on the way is a bound, so that new ones may be used at once.
     pub fn set(&mut self, maps: &[Affine2], accuracy: f64, rounds: usize) {
         self.bound(FINE_PER_SIDE, maps, accuracy, rounds);
+    }
+
+    /// [`SupportTable::set`] in twice as many directions.
+    pub fn set_finest(&mut self, maps: &[Affine2], accuracy: f64, rounds: usize) {
+        self.bound(FINEST_PER_SIDE, maps, accuracy, rounds);
     }
 
     /// [`SupportTable::set`] in half as many directions.
@@ -148,9 +156,14 @@ impl SupportTable {
         &self.points[..4 * self.per]
     }
 
-    /// Whether it was last made by [`SupportTable::set`].
+    /// Whether it was last made by [`SupportTable::set`] or [`SupportTable::set_finest`].
     pub fn is_fine(&self) -> bool {
-        self.per == FINE_PER_SIDE
+        self.per >= FINE_PER_SIDE
+    }
+
+    /// Whether it was last made by [`SupportTable::set_finest`].
+    pub fn is_finest(&self) -> bool {
+        self.per == FINEST_PER_SIDE
     }
 
     fn bound(&mut self, per: usize, maps: &[Affine2], accuracy: f64, rounds: usize) {
@@ -197,20 +210,22 @@ impl SupportTable {
             values.copy_from_slice(&old.min(best).to_array());
         }
         self.wrap(|table, k, from| table.values[k] = table.values[from]);
-        change.to_array().into_iter().fold(0.0, f64::max)
+        change.to_array().into_iter().fold(0.0, larger)
     }
 
     /// How far the image under a map reaches in four directions, as far as the table tells.
     #[inline(always)]
     fn far(&self, link: &Lowering) -> F64x4 {
-        let gather = |step: usize| F64x4::new(link.low.map(|low| self.values[usize::from(low & 63) + step]));
+        let gather = |step: usize| {
+            F64x4::new(link.low.map(|low| self.values[(usize::from(low) & INDEX_MASK as usize) + step]))
+        };
         link.from_low * gather(0) + link.from_high * gather(1) + link.shift
     }
 
     /// Finds points: each is the image of one before under the map that reaches farthest.
     fn reach(&mut self, maps: &[Affine2], accuracy: f64, rounds: usize) {
         let fan = 4 * self.per;
-        let mut steps = [(0_u8, 0_u8); 4 * FINE_PER_SIDE];
+        let mut steps = [(0_u8, 0_u8); 4 * FINEST_PER_SIDE];
         for (chunk, links) in self.links.chunks_exact(maps.len()).enumerate() {
             let mut best = [f64::NEG_INFINITY; 4];
             for (i, link) in links.iter().enumerate() {
@@ -227,7 +242,7 @@ impl SupportTable {
         self.points = [start; TABLE];
         // As many passes as shrink what the start is off to the accuracy.
         let square = |map: &Affine2| map.linear.x_axis.length_squared() + map.linear.y_axis.length_squared();
-        let shrinks = maps.iter().map(|map| 0.5 * square(map)).fold(0.0, f64::max).clamp(1e-3, 0.9999);
+        let shrinks = maps.iter().map(|map| 0.5 * square(map)).fold(0.0, larger).clamp(1e-3, 0.9999);
         let passes = (2.0 * accuracy.ln() / shrinks.ln()).clamp(2.0, rounds as f64) as usize;
         for _ in 0..passes {
             for (k, &(i, near)) in steps[..fan].iter().enumerate() {
@@ -288,8 +303,12 @@ impl SupportTable {
         }
         // The two points farthest apart lie along a direction at most half a step off one of the fan, and the
         // widest step is at the middle of a side.
-        let cosine = if self.per == FINE_PER_SIDE { 0.992_507_556 } else { 0.973_248_989 };
-        widest.to_array().into_iter().fold(0.0, f64::max) / cosine
+        let cosine = match self.per {
+            FINEST_PER_SIDE => 0.998_067_602,
+            FINE_PER_SIDE => 0.992_507_556,
+            _ => 0.973_248_989,
+        };
+        widest.to_array().into_iter().fold(0.0, larger) / cosine
     }
 }
 
