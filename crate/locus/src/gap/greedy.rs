@@ -253,11 +253,10 @@ impl GreedySearch {
             second = least(greatest(score, best), second);
             best = least(score, best);
         }
-        let ([a, b, c, d], [p, q, r, s]) = (best.to_array(), second.to_array());
-        let ([a, b], [c, d]) = (ordered(a, b), ordered(c, d));
-        let ([least, more], [p, _], [r, _]) = (ordered(a, c), ordered(p, q), ordered(r, s));
-        let ([b, _], [p, _]) = (ordered(b, d), ordered(p, r));
-        (least, ordered(more, ordered(b, p)[0])[0])
+        // The two least of all: each lane against the one beside it, then against one of the other two.
+        let two = two_least([best, second], |[a, b, c, d]| [b, a, d, c]);
+        let [best, second] = two_least(two, |[a, b, c, d]| [c, d, a, b]);
+        (best.to_array()[0], second.to_array()[0])
     }
 
     /// Goes on to a part, if there is one of this number.
@@ -286,9 +285,11 @@ fn greatest(a: f32x4, b: f32x4) -> f32x4 {
     if cfg!(target_arch = "wasm32") { b.fast_max(a) } else { a.fast_max(b) }
 }
 
+/// The two least of each lane and of the one that takes its place.
 #[inline(always)]
-fn ordered(a: f32, b: f32) -> [f32; 2] {
-    if a < b { [a, b] } else { [b, a] }
+fn two_least([best, second]: [f32x4; 2], swap: impl Fn([f32; 4]) -> [f32; 4]) -> [f32x4; 2] {
+    let [other, more] = [best, second].map(|four| f32x4::new(swap(four.to_array())));
+    [least(best, other), least(greatest(best, other), least(second, more))]
 }
 
 #[cfg(test)]
