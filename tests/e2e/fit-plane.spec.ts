@@ -46,8 +46,9 @@ test("a curve of the plane is dragged, leaned, refused where it would not shrink
   await expect(page.getByRole("alert").filter({ hasText: "times as long" })).toBeVisible();
   const last = await word();
   // The link opens it elsewhere.
-  const link = await page.evaluate(() => location.hash);
-  expect(link).toContain("fit=plane");
+  const hash = () => page.evaluate(() => location.hash);
+  await expect.poll(hash).toContain(`plane=${last}`);
+  const link = await hash();
   await page.goto("about:blank");
   await page.goto(`./${link}`);
   await expect(page.getByRole("application", { name: /^The curve\./ })).toBeVisible({ timeout: 60_000 });
