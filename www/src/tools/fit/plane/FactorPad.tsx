@@ -43,7 +43,7 @@ export function FactorPad({ piece, factor, apart }: FactorPadProps) {
         {`What piece ${piece + 1} makes of a circle: ${fixed(norm(factor), 3)} times as long at most. It must stay inside.`}
       </title>
       <path class={css["cross"]} d={`M0 ${SIZE / 2}H${SIZE}M${SIZE / 2} 0V${SIZE}`} />
-      <circle class={css["ring"]} cx={SIZE / 2} cy={SIZE / 2} r={UNIT} />
+      <circle class={css["factor-ring"]} cx={SIZE / 2} cy={SIZE / 2} r={UNIT} />
       <path class={css["image"]} d={ellipse(factor)} />
       {bad && <path class={css["bad"]} d={ellipse(bad)} />}
       <Arrow piece={piece} axis={0} apart={apart} x={cx} y={cyx} />
@@ -97,9 +97,9 @@ function Arrow(props: { piece: number; axis: 0 | 1; apart: boolean; x: number; y
         aria-label={`Where piece ${piece + 1} takes ${name}: ${fixed(x, 3)}, ${fixed(y, 3)}. Arrow keys move it, with Shift finer`}
         transform={`translate(${left(x).toFixed(1)} ${top(y).toFixed(1)})`}
       >
-        <circle class={css["reach"]} r={18} />
+        <circle class={css["factor-reach"]} r={18} />
         <circle class="knob" r={6} />
-        <text class={css["axis"]} x={9} y={-8}>
+        <text class={css["factor-axis"]} x={9} y={-8}>
           {name}
         </text>
       </g>

@@ -109,7 +109,7 @@ function Row({ index, open }: { index: number; open: boolean }) {
   if (!piece) return null;
   const colour = colours.value[index % colours.value.length] ?? "gray";
   return (
-    <li class={css["row"]} style={{ "--piece": colour }}>
+    <li class={css["plane-row"]} style={{ "--piece": colour }}>
       <button
         type="button"
         class={graphCss["piece-number"]}
@@ -121,7 +121,7 @@ function Row({ index, open }: { index: number; open: boolean }) {
       >
         {index + 1}
       </button>
-      <span class={`${css["about"]} number`}>{about(piece.factor, sideOf(now, index))}</span>
+      <span class={`${css["plane-about"]} number`}>{about(piece.factor, sideOf(now, index))}</span>
       {open && <More index={index} factor={piece.factor} />}
     </li>
   );
@@ -141,7 +141,7 @@ function More({ index, factor }: { index: number; factor: Factor }) {
     endGesture();
   };
   return (
-    <div class={css["more"]}>
+    <div class={css["plane-more"]}>
       <FactorPad piece={index} factor={factor} apart={shownApart.value} />
       <div class={css["entries"]}>
         {ENTRIES.filter(({ own }) => own || !shownApart.value).map(({ k, name, symbol }) => (

@@ -61,7 +61,7 @@ function PointFields() {
   const move = (to: Place, axis: string) =>
     told(change((now) => withPlace(now, index, to), `point ${index} ${axis}`));
   return (
-    <fieldset class={css["places"]}>
+    <fieldset class={css["plane-places"]}>
       <legend class="row-name">
         Point{" "}
         <Select
