@@ -256,7 +256,7 @@ fn disagreement(seen: &[u8], truth: &[u8]) -> (f64, f64) {
 }
 
 /// Pixels that one picture leaves dark and the other does not.
-fn missed(seen: &[u8], truth: &[u8]) -> usize {
+fn pixels_missed(seen: &[u8], truth: &[u8]) -> usize {
     seen.chunks_exact(4).zip(truth.chunks_exact(4)).filter(|(a, b)| a[3] == 0 && b[3] > 0).count()
 }
 
@@ -285,7 +285,7 @@ async fn at_rest_the_picture_is_complete() {
                 let truth = rasterize(&subject.ifs, &options).unwrap();
                 let seen = picture_of(stage.read()).await;
                 let (_, extra) = disagreement(&seen, &truth);
-                let missed = missed(&seen, &truth);
+                let missed = pixels_missed(&seen, &truth);
                 assert!(
                     missed == 0 && extra < 0.005,
                     "{name} {wanted:?} x{zoom} by {budget}: {missed} {extra}"
@@ -348,7 +348,7 @@ async fn bent_pictures_are_those_of_the_processor() {
                 assert!(drawn.complete, "{what} {drawn:?}");
                 let truth = bent_truth(&subject, &bend(&subject, 0.08, 5.0, false), Colouring::Map);
                 let seen = picture_of(stage.read()).await;
-                let (extra, missed) = (disagreement(&seen, &truth).1, self::missed(&seen, &truth));
+                let (extra, missed) = (disagreement(&seen, &truth).1, pixels_missed(&seen, &truth));
                 assert!(missed == 0 && extra < 0.01, "{what}: {missed} {extra}");
                 // Moved, first in a hurry, then at rest.
                 let size = Hull::of(&subject.ifs).max() - Hull::of(&subject.ifs).min();
@@ -360,7 +360,7 @@ async fn bent_pictures_are_those_of_the_processor() {
                 assert!(missed < 0.1 && extra < 0.1, "{what} moving: {missed} {extra}");
                 assert!(settle(&mut stage).complete, "{what}");
                 let seen = picture_of(stage.read()).await;
-                let (extra, missed) = (disagreement(&seen, &moved).1, self::missed(&seen, &moved));
+                let (extra, missed) = (disagreement(&seen, &moved).1, pixels_missed(&seen, &moved));
                 assert!(missed == 0 && extra < 0.01, "{what} moved: {missed} {extra}");
                 stage.set_bend(None);
             }
