@@ -104,7 +104,7 @@ const WORKGROUP_SIDE: u32 = 8;
 /// former: an NVIDIA H200 takes 22 to 76 ms for 1024 x 1024 samples in commands of the former size, 10 to 23 ms in one.
 const SAMPLES_AT_ONCE: [u32; 2] = [1 << 15, 1 << 20];
 /// Milliseconds of a command that is soon done, and of one that takes too long.
-const SOON_MS: f64 = 4.0;
+const SOON_MS: f64 = 8.0;
 const LATE_MS: f64 = 50.0;
 /// The most samples of a job.
 const MOST_SAMPLES: usize = 1 << 24;
