@@ -7,6 +7,7 @@ use crate::linear::svd2::singular_values;
 /// What a thin ellipse costs in the search for the best.
 const ROUNDNESS: f64 = 1e-9;
 
+#[inline(never)]
 fn worst_norm(linear: &[DMat2], to: DMat2, from: DMat2) -> f64 {
     linear.iter().map(|&m| singular_values(to * m * from).0).fold(0.0, f64::max)
 }
@@ -30,8 +31,8 @@ pub(crate) fn best(linear: &[DMat2], plain: f64) -> [DMat2; 2] {
         let (to, from) = coordinates(s.sinh(), log_q.exp());
         worst_norm(linear, to, from) + ROUNDNESS * (s.abs() + log_q.abs())
     };
-    let best_q = |s: f64| golden(-14.0, 14.0, |log_q| factor(s, log_q));
-    let (s, _) = golden(-12.0, 12.0, |s| best_q(s).1);
+    let best_q = |s: f64| golden(-14.0, 14.0, &|log_q| factor(s, log_q));
+    let (s, _) = golden(-12.0, 12.0, &|s| best_q(s).1);
     let (p, q) = (s.sinh(), best_q(s).0.exp());
     let (to, from) = coordinates(p, q);
     let least = worst_norm(linear, to, from);
@@ -47,7 +48,7 @@ pub(crate) fn best(linear: &[DMat2], plain: f64) -> [DMat2; 2] {
         let (to, from) = rounder(share);
         worst_norm(linear, to, from) + price * share
     };
-    let (share, least) = golden(0.0, 1.0, cost);
+    let (share, least) = golden(0.0, 1.0, &cost);
     let (to, from) = rounder(if least < cost(1.0) { share } else { 1.0 });
     [to, from]
 }
@@ -74,8 +75,10 @@ fn rounder(p: f64, q: f64, share: f64) -> (DMat2, DMat2) {
     coordinates(of_ellipse * p / q / first, 1.0 / first)
 }
 
-/// The least value of a quasi-convex function on an interval, by the golden section.
-fn golden(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> (f64, f64) {
+/// The least value of a quasi-convex function on an interval, by the golden section. Compiled once for all functions:
+/// each of them takes far longer than to be called.
+#[inline(never)]
+fn golden(mut low: f64, mut high: f64, f: &dyn Fn(f64) -> f64) -> (f64, f64) {
     const RATIO: f64 = 0.618_033_988_749_894_9;
     let mut left = high - RATIO * (high - low);
     let mut right = low + RATIO * (high - low);
