@@ -30,7 +30,7 @@ test("a curve for one end makes both ends curves, in one step, and a system brin
   await expect(card(page, "A")).toHaveAccessibleName(
     /^Shape A: Maple.*, closed curve with \d+ knots, \d+ copies/,
   );
-  expect((await studio.scene()).curves?.b.preset).toBe("oak");
+  expect((await studio.scene()).curves?.b.preset).toBe("white-oak");
   expect(await studio.said()).toContainEqual(
     expect.stringMatching(
       /^Gasket was put away: an outline morphs only with an outline\. B is Oak.* for now\.$/,
@@ -44,11 +44,14 @@ test("a curve for one end makes both ends curves, in one step, and a system brin
   expect(maple.box[3]).toBeLessThan(maple.height - 1);
 
   await choose(page, "B", /^Snowflake/);
-  expect((await studio.scene()).curves).toMatchObject({ a: { preset: "maple" }, b: { preset: "snowflake" } });
+  expect((await studio.scene()).curves).toMatchObject({
+    a: { preset: "sugar-maple" },
+    b: { preset: "snowflake" },
+  });
   // The notice has one of its own.
   const undo = page.getByRole("banner").getByRole("button", { name: "Undo" });
   await undo.click();
-  expect((await studio.scene()).curves?.b.preset).toBe("oak");
+  expect((await studio.scene()).curves?.b.preset).toBe("white-oak");
   await undo.click();
   expect((await studio.scene()).curves).toBeUndefined();
   expect((await studio.look()).hash).toBe(before.hash);

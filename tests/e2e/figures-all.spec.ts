@@ -74,14 +74,18 @@ async function expectAnswer(page: Page): Promise<void> {
   await expect(question.getByTestId("truth")).toHaveCount(0);
 }
 
-/** One page to read and guess, one of exercises, one of answers. */
+/** One page to read and guess, one of exercises; and one of answers, where they are open. */
 async function expectHandout(page: Page): Promise<void> {
-  await page.emulateMedia({ media: "print" });
-  for (const format of ["A4", "Letter"]) {
-    const pdf = (await page.pdf({ format })).toString("latin1");
-    expect(pdf.match(/\/Type \/Page\b/g)?.length, format).toBe(3);
+  const answers = page.locator("summary", { hasText: "For teachers" });
+  for (const pages of [2, 3]) {
+    await page.emulateMedia({ media: "print" });
+    for (const format of ["A4", "Letter"]) {
+      const pdf = (await page.pdf({ format })).toString("latin1");
+      expect(pdf.match(/\/Type \/Page\b/g)?.length, format).toBe(pages);
+    }
+    await page.emulateMedia({ media: null });
+    await answers.click();
   }
-  await page.emulateMedia({ media: null });
 }
 
 /** How far down the page an element begins. */

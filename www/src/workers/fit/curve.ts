@@ -123,7 +123,10 @@ type Plain = Context<never>;
 
 export const curveTasks = {
   /** An outline grown by program. */
-  grow({ fit, transfer }: Plain, { kind, seed }: { kind: Grown; seed: number }): Float64Array<ArrayBuffer> {
+  grow(
+    { fit, transfer }: Plain,
+    { kind, seed }: { kind: Grown | "maple"; seed: number },
+  ): Float64Array<ArrayBuffer> {
     const points = fit.grownOutline(kind, seed);
     transfer(points.buffer);
     return points;

@@ -62,7 +62,7 @@ export function Page(heading: Heading) {
         </p>
       }
       parameters={[
-        { name: "Leaf (reconstructed)", value: `a sugar maple’s, grown by program, seed ${seed}` },
+        { name: "Leaf (reconstructed)", value: `maple-like, grown by program, seed ${seed}` },
         { name: "Bitmap (reconstructed)", value: pixels },
         {
           name: "Pixels on the boundary",

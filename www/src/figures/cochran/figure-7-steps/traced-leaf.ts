@@ -34,7 +34,7 @@ export function useTracedLeaf(seed: number): { steps: Steps | null; problem: str
 }
 
 async function stepsOf(seed: number, signal: AbortSignal): Promise<Steps> {
-  const grown = await fitTask("grow", { kind: "sugar-maple", seed }, { signal });
+  const grown = await fitTask("grow", { kind: "maple", seed }, { signal });
   const { bitmap, count } = leafBitmap(grown);
   const opened = await fitTask("openFile", { file: await pngOf(bitmap), name: "leaf.png" }, { signal });
   if (opened.kind !== "picture") throw new Error("The bitmap is no picture.");

@@ -27,7 +27,7 @@ export function useLeaf(seed: number): { leaf: Leaf | null; problem: string | nu
     const stop = new AbortController();
     const grow = async () => {
       const { signal } = stop;
-      const grown = await fitTask("grow", { kind: "sugar-maple", seed }, { signal });
+      const grown = await fitTask("grow", { kind: "maple", seed }, { signal });
       const { points } = await fitTask("prepare", { points: grown, smoothing: 0 }, { signal });
       const features = await fitTask("features", { points, count: FEATURES }, { signal });
       setState({ seed, leaf: { points, features }, problem: null });

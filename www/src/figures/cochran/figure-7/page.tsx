@@ -74,7 +74,7 @@ export function Page(heading: Heading) {
       }
       found={<Found maps={maps} collages={collages} fit={fit} tied={tied} />}
       parameters={[
-        { name: "Leaf", value: `a sugar maple’s, grown by program, seed ${seed}` },
+        { name: "Leaf", value: `maple-like, grown by program, seed ${seed}` },
         { name: "Points of its margin", value: leaf ? String(leaf.points.length / 2) : "…" },
         { name: "Feature points", value: `${FEATURES}, by polyline splitting` },
         {

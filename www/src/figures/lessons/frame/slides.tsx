@@ -65,7 +65,7 @@ function Shown({ at: asked }: { at: number }) {
   // A link may say more slides than there are.
   const at = last < 0 ? asked : Math.min(asked, last);
   const go = (by: number) => {
-    slide.value = Math.min(last, Math.max(0, at + by));
+    slide.value = goal(at, by);
   };
 
   // Each time anew: the slides of the lesson before may be put away after these have begun.
@@ -118,12 +118,12 @@ function Shown({ at: asked }: { at: number }) {
       event.preventDefault();
       event.stopPropagation();
       if (act === "dot") setDot((now) => !now);
-      else slide.value = Math.min(last, Math.max(0, at + act));
+      else slide.value = goal(at, act);
     };
     // Before sliders, which have the Page keys, too.
     document.addEventListener("keydown", onKey, true);
     return () => document.removeEventListener("keydown", onKey, true);
-  }, [at, last]);
+  }, [at]);
 
   return (
     <div data-slides-bar="" ref={bar}>
@@ -243,6 +243,9 @@ function steps(): HTMLElement[] {
   const article = document.querySelector("article");
   return article ? stepsIn(article) : [];
 }
+
+/** So many slides on, within the lesson as it stands: keys may be pressed before its slides are counted. */
+const goal = (at: number, by: number) => Math.max(0, Math.min(steps().length - 1, at + by));
 
 /** What a step is called: its own name, or that of its heading. */
 function nameOf(step: HTMLElement): string {

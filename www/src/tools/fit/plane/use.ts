@@ -44,7 +44,7 @@ export const takeSystem = (shape: Shape, to: Use): void => takeMaps(shape, to);
 
 export function takeOutline(shape: CurveShape, to: Use): void {
   try {
-    const partner = rough.curvePresets().find(({ id }) => id === "maple") ?? rough.curvePresets()[0];
+    const partner = rough.curvePresets().find(({ id }) => id === "sugar-maple") ?? rough.curvePresets()[0];
     if (!partner) throw new Error("there is no other shape");
     const before = scene.peek();
     takeCurve(shape, partner, to);
