@@ -95,7 +95,12 @@ export function watchAutomaticPath(): void {
     untracked(() => {
       if (kind === "auto" && before !== "auto") {
         settledFor.value = null;
-        if (plan && !wished.peek()) apply(plan, morph.peek());
+        if (plan && !wished.peek()) {
+          apply(plan, morph.peek());
+          // Through all samples already: nothing is looked for any more.
+          const known = planned.peek();
+          if (known?.whole && known.inputs === morph.peek()) settledFor.value = known.inputs;
+        }
       }
       before = kind;
       const looking = plan3.peek()?.plan === null;
