@@ -202,6 +202,25 @@ describe("Pool", () => {
     expect(p.busy).toBe(false);
   });
 
+  it("lets a slice stand that waits for nothing but what was called back", () => {
+    const p = pool(2);
+    const slow = job("strip", 4);
+    p.submit(slow.job);
+    const urgent = job("verdict", 1, 9);
+    p.submit(urgent.job);
+    // Both end what is under way, and have not answered yet that they will not begin what was behind it.
+    for (const worker of workers) {
+      const { id } = worker.work.shift() ?? { id: -1 };
+      worker.say({ type: "done", id, result: new Uint8Array(), milliseconds: 1 });
+    }
+    expect(workers.flatMap((w) => w.names).filter((name) => name === "verdict0")).toHaveLength(1);
+    for (let k = 0; k < 4; k++) for (const worker of workers) if (worker.work.length > 0) worker.finish();
+    expect([urgent.log.accepted, slow.log.accepted.sort()]).toEqual([
+      ["verdict0"],
+      ["strip0", "strip1", "strip2", "strip3"],
+    ]);
+  });
+
   it("outlasts a storm of a thousand jobs, with little in its workers' queues", () => {
     const p = pool(2);
     let last = job("locus", 0);

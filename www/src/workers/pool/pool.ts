@@ -274,9 +274,9 @@ export class Pool {
     const slice = this.#pick();
     let best: { seat: Seat; work: Work } | null = null;
     for (const seat of this.#seats) {
-      for (const work of seat.work.slice(1)) {
+      for (const work of behind(seat)) {
         const least = (best?.work.slice ?? slice)?.urgency ?? Number.NEGATIVE_INFINITY;
-        if (!work.recalled && work.slice.urgency > least) best = { seat, work };
+        if (work.slice.urgency > least) best = { seat, work };
       }
     }
     if (!best) return slice;
@@ -319,6 +319,12 @@ export class Pool {
     this.#options.onChange?.({ count: this.#seats.filter((s) => s.ready).length, busy: this.busy });
   }
 }
+
+/**
+ * What waits behind a slice that is wanted. What waits for nothing but slices that were called back is as good as under
+ * way: two workers that have nothing else would take it from each other without end.
+ */
+const behind = ({ work }: Seat): Work[] => work.filter(({ recalled }) => !recalled).slice(1);
 
 const urgencyOf = ({ job, again: [first] }: Entry): number => first?.urgency ?? job.priority();
 
