@@ -144,7 +144,7 @@ test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and 
     await expect(page.getByRole("slider", { name: "Time", exact: true })).toBeVisible();
     const { curves } = await tool.scene();
     expect(curves?.a.name).toBe("leaf");
-    expect(curves?.b.preset).toBe("maple");
+    expect(curves?.b.preset).toBe("sugar-maple");
     expect(curves?.a.curve.knots.length).toBe(fitted?.curve.knots.length);
     // The shape at the other end had to go, which is said.
     const notice = page.locator(".toasts").getByRole("status");
