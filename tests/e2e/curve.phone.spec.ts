@@ -46,7 +46,10 @@ test("a curve is chosen by taps, and played", async ({ studio, page }) => {
   await page.getByRole("button", { name: /^Shape B: / }).tap();
   await page.getByRole("region", { name: "Closed curves" }).getByRole("button", { name: /^Oak/ }).tap();
   await expect(page.getByRole("dialog")).toHaveCount(0);
-  expect((await studio.scene()).curves).toMatchObject({ a: { preset: "maple" }, b: { preset: "oak" } });
+  expect((await studio.scene()).curves).toMatchObject({
+    a: { preset: "sugar-maple" },
+    b: { preset: "white-oak" },
+  });
   const before = await studio.look();
   await page.getByRole("button", { name: "Play", exact: true }).tap();
   await expect.poll(async () => (await studio.scene()).t).toBeGreaterThan(0.03);
