@@ -1,14 +1,13 @@
-import { computed } from "@preact/signals";
-import { dark } from "#document/preferences";
 import { endGesture } from "#document/scene";
 import { formatNumber } from "#format/numbers";
-import { palette } from "#style/palette";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
-import { Select } from "#ui/controls/Select";
 import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
+import { CopiedSpan } from "../by-hand/CopiedSpan";
+import { IndexSelect } from "../by-hand/IndexSelect";
+import { colourOf, PieceList, PieceNumber } from "../by-hand/PieceList";
 import { DomainFields } from "./DomainFields";
 import css from "./graph.module.css";
 import {
@@ -38,9 +37,6 @@ import {
 } from "./model/model";
 import { KINDS } from "./model/words";
 
-/** Up to here all pieces have a slider; beyond, the chosen one has. */
-const ALL = 12;
-
 /** What the graph is made of. */
 export function FunctionSection() {
   const now = model.value;
@@ -60,7 +56,13 @@ export function FunctionSection() {
         onChange={chooseKind}
       />
       <p class="hint">{KINDS.find((one) => one.value === now.kind)?.about}</p>
-      <PieceList />
+      <PieceList
+        id="graph-piece"
+        count={now.parts.length}
+        chosen={chosenPiece.value}
+        onChoose={choosePiece}
+        row={(index, open) => <PieceRow key={index} index={index} open={open} />}
+      />
       <KnotFields />
       <Button
         kind="quiet"
@@ -75,48 +77,14 @@ export function FunctionSection() {
   );
 }
 
-const colours = computed(() => palette(dark.value ? "dark" : "light"));
-
-function PieceList() {
-  const { parts } = model.value;
-  const chosen = Math.min(chosenPiece.value, parts.length - 1);
-  const shown = parts.length <= ALL ? parts.map((_, i) => i) : [chosen];
-  return (
-    <>
-      {parts.length > ALL && (
-        <div class="row">
-          <label class="row-name" for="graph-piece">
-            Piece of {parts.length}
-          </label>
-          <Select
-            id="graph-piece"
-            value={chosen}
-            onChange={(event) => {
-              chosenPiece.value = Number(event.currentTarget.value);
-            }}
-          >
-            {parts.map((_, i) => (
-              <option key={i} value={i}>
-                {i + 1}
-              </option>
-            ))}
-          </Select>
-        </div>
-      )}
-      <ol class={css["graph-pieces"]}>
-        {shown.map((index) => (
-          <PieceRow key={index} index={index} open={index === chosen} />
-        ))}
-      </ol>
-    </>
-  );
-}
+const choosePiece = (piece: number) => {
+  chosenPiece.value = piece;
+};
 
 function PieceRow({ index, open }: { index: number; open: boolean }) {
   const { parts, kind } = model.value;
   const part = parts[index];
   if (!part) return null;
-  const colour = colours.value[index % colours.value.length] ?? "gray";
   const change = (c: number) =>
     changeModel((now) => withPart(now, index, { c }), `roughness ${index}`)
       ? undefined
@@ -125,19 +93,9 @@ function PieceRow({ index, open }: { index: number; open: boolean }) {
   return (
     <li
       class={open ? `${css["graph-piece"]} ${css["open"]}` : css["graph-piece"]}
-      style={{ "--piece": colour }}
+      style={{ "--piece": colourOf(index) }}
     >
-      <button
-        type="button"
-        class={css["piece-number"]}
-        aria-expanded={open}
-        aria-label={`Piece ${index + 1}`}
-        onClick={() => {
-          chosenPiece.value = index;
-        }}
-      >
-        {index + 1}
-      </button>
+      <PieceNumber piece={index} open={open} onChoose={choosePiece} />
       <Slider
         label={`Roughness of piece ${index + 1}`}
         value={part.c}
@@ -207,27 +165,7 @@ function Domain({ index }: { index: number }) {
         to[end] = now.knots[knot]?.[0] ?? to[end];
         return withPart(now, index, { domain: [Math.min(...to), Math.max(...to)] });
       });
-    return (
-      <p class={css["piece-domain"]}>
-        <span class="row-name">copies from point</span>
-        {([0, 1] as const).map((end) => (
-          <Select
-            key={end}
-            aria-label={
-              end === 0 ? `Piece ${index + 1} copies from point` : `Piece ${index + 1} copies up to point`
-            }
-            value={span[end]}
-            onChange={(event) => set(end, Number(event.currentTarget.value))}
-          >
-            {knots.map((_, i) => (
-              <option key={i} value={i}>
-                {i + 1}
-              </option>
-            ))}
-          </Select>
-        ))}
-      </p>
-    );
+    return <CopiedSpan piece={index} span={span} count={knots.length} onChange={set} />;
   }
   const [from, to] = interval(knots);
   const set = (end: 0 | 1, t: number) => {
@@ -259,19 +197,14 @@ function KnotFields() {
     <fieldset class={css["knot-fields"]}>
       <legend class="row-name">
         Point{" "}
-        <Select
-          aria-label="Which point"
+        <IndexSelect
+          label="Which point"
           value={index}
-          onChange={(event) => {
-            chosenKnot.value = Number(event.currentTarget.value);
+          count={knots.length}
+          onChange={(knot) => {
+            chosenKnot.value = knot;
           }}
-        >
-          {knots.map((_, i) => (
-            <option key={i} value={i}>
-              {i + 1}
-            </option>
-          ))}
-        </Select>
+        />
       </legend>
       <NumberField
         label={`Place of point ${index + 1}`}

@@ -1,13 +1,12 @@
 import { computed, signal } from "@preact/signals";
-import { dark } from "#document/preferences";
 import { endGesture } from "#document/scene";
 import { fixed } from "#format/numbers";
-import { palette } from "#style/palette";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
-import { Select } from "#ui/controls/Select";
 import { Switch } from "#ui/controls/Switch";
+import { CopiedSpan } from "../by-hand/CopiedSpan";
+import { colourOf, PieceList, PieceNumber } from "../by-hand/PieceList";
 import graphCss from "../graph/graph.module.css";
 import { FactorPad } from "./FactorPad";
 import {
@@ -25,9 +24,6 @@ import {
 import { change, chosenPiece, chosenPoint, curve, placeAt, problem, setFactor } from "./model/document";
 import css from "./plane.module.css";
 
-/** Up to here all pieces have a row; beyond, the chosen one has. */
-const ALL = 12;
-
 const ENTRIES = [
   { k: 0, name: "x from x", symbol: "cx", own: true },
   { k: 1, name: "x from y", symbol: "cxy", own: false },
@@ -38,13 +34,12 @@ const ENTRIES = [
 /** Both are asked for, though no factor needs it yet. */
 const together = signal(false);
 const shownApart = computed(() => isApart(curve.value) && !together.value);
-const colours = computed(() => palette(dark.value ? "dark" : "light"));
+const choosePiece = (piece: number) => {
+  chosenPiece.value = piece;
+};
 
 /** What copies may do, and each piece. */
 export function Pieces() {
-  const { pieces } = curve.value;
-  const chosen = Math.min(chosenPiece.value, pieces.length - 1);
-  const shown = pieces.length <= ALL ? pieces.map((_, i) => i) : [chosen];
   return (
     <>
       <p class="row-name">In a copy, x and y answer</p>
@@ -64,31 +59,13 @@ export function Pieces() {
           if (kind === "apart") change(apart);
         }}
       />
-      {pieces.length > ALL && (
-        <div class="row">
-          <label class="row-name" for="plane-piece">
-            Piece of {pieces.length}
-          </label>
-          <Select
-            id="plane-piece"
-            value={chosen}
-            onChange={(event) => {
-              chosenPiece.value = Number(event.currentTarget.value);
-            }}
-          >
-            {pieces.map((_, i) => (
-              <option key={i} value={i}>
-                {i + 1}
-              </option>
-            ))}
-          </Select>
-        </div>
-      )}
-      <ol class={graphCss["graph-pieces"]}>
-        {shown.map((index) => (
-          <Row key={index} index={index} open={index === chosen} />
-        ))}
-      </ol>
+      <PieceList
+        id="plane-piece"
+        count={curve.value.pieces.length}
+        chosen={chosenPiece.value}
+        onChoose={choosePiece}
+        row={(index, open) => <Row key={index} index={index} open={open} />}
+      />
     </>
   );
 }
@@ -107,20 +84,9 @@ function Row({ index, open }: { index: number; open: boolean }) {
   const now = curve.value;
   const piece = now.pieces[index];
   if (!piece) return null;
-  const colour = colours.value[index % colours.value.length] ?? "gray";
   return (
-    <li class={css["plane-row"]} style={{ "--piece": colour }}>
-      <button
-        type="button"
-        class={graphCss["piece-number"]}
-        aria-expanded={open}
-        aria-label={`Piece ${index + 1}`}
-        onClick={() => {
-          chosenPiece.value = index;
-        }}
-      >
-        {index + 1}
-      </button>
+    <li class={css["plane-row"]} style={{ "--piece": colourOf(index) }}>
+      <PieceNumber piece={index} open={open} onChoose={choosePiece} />
       <span class={`${css["plane-about"]} number`}>{about(piece.factor, sideOf(now, index))}</span>
       {open && <More index={index} factor={piece.factor} />}
     </li>
@@ -220,27 +186,7 @@ function Span({ index }: { index: number }) {
     const next: [number, number] = [Math.min(...ends), Math.max(...ends)];
     change((now) => withPiece(now, index, { span: isBack(index) ? [next[1], next[0]] : next }));
   };
-  return (
-    <p class={graphCss["piece-domain"]}>
-      <span class="row-name">copies from point</span>
-      {([0, 1] as const).map((end) => (
-        <Select
-          key={end}
-          aria-label={
-            end === 0 ? `Piece ${index + 1} copies from point` : `Piece ${index + 1} copies up to point`
-          }
-          value={end === 0 ? low : high}
-          onChange={(event) => set(end, Number(event.currentTarget.value))}
-        >
-          {points.map((_, i) => (
-            <option key={i} value={i}>
-              {i + 1}
-            </option>
-          ))}
-        </Select>
-      ))}
-    </p>
-  );
+  return <CopiedSpan piece={index} span={[low, high]} count={points.length} onChange={set} />;
 }
 
 function addPoint(piece: number): void {

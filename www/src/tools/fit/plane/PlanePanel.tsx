@@ -3,6 +3,7 @@ import { formatNumber } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Select } from "#ui/controls/Select";
+import { IndexSelect } from "../by-hand/IndexSelect";
 import graphCss from "../graph/graph.module.css";
 import { type Place, withoutPoint, withPlace, withTime } from "./model/curve";
 import { change, chosenPoint, curve, maps, problem } from "./model/document";
@@ -64,19 +65,14 @@ function PointFields() {
     <fieldset class={css["plane-places"]}>
       <legend class="row-name">
         Point{" "}
-        <Select
-          aria-label="Which point"
+        <IndexSelect
+          label="Which point"
           value={index}
-          onChange={(event) => {
-            chosenPoint.value = Number(event.currentTarget.value);
+          count={points.length}
+          onChange={(place) => {
+            chosenPoint.value = place;
           }}
-        >
-          {points.map((_, i) => (
-            <option key={i} value={i}>
-              {i + 1}
-            </option>
-          ))}
-        </Select>
+        />
         <Button
           kind="quiet"
           icon="bin"

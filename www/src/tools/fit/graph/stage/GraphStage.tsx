@@ -1,9 +1,9 @@
 import { useSignalEffect } from "@preact/signals";
-import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
-import { formatNumber } from "#format/numbers";
 import { palette } from "#style/palette";
-import { IconButton } from "#ui/controls/Button";
+import { emptied, useBox } from "../../by-hand/surface";
+import { ZoomButtons } from "../../by-hand/ZoomButtons";
 import graphCss from "../graph.module.css";
 import { chosenPiece, graph, problem } from "../model/document";
 import { errors } from "../model/errors";
@@ -23,28 +23,11 @@ export function GraphStage() {
   const root = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => (root.current ? attachGestures(root.current, choosePiece) : undefined), []);
-  useLayoutEffect(() => {
-    const element = root.current;
-    if (!element) return;
-    const measure = () => {
-      stageBox.value = { width: element.clientWidth, height: element.clientHeight };
-    };
-    const watch = new ResizeObserver(measure);
-    watch.observe(element);
-    measure();
-    return () => watch.disconnect();
-  }, []);
+  useBox(root, stageBox);
   useSignalEffect(() => {
     const element = canvas.current;
-    const context = element?.getContext("2d");
-    const { width, height } = stageBox.value;
-    if (!element || !context || width === 0) return;
-    const ratio = Math.min(3, globalThis.devicePixelRatio || 1);
-    const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (element.width !== across) element.width = across;
-    if (element.height !== down) element.height = down;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
+    const context = emptied(element, stageBox.value);
+    if (!element || !context) return;
     const colours = palette(dark.value ? "dark" : "light");
     const style = getComputedStyle(element);
     const colour = (name: string) => style.getPropertyValue(name).trim();
@@ -107,7 +90,6 @@ function Foot() {
   const off = errors.value;
   const words = off && offWords(off).replace("off", "Off");
   const wrong = problem.value;
-  const zoom = magnified.value;
   return (
     <div class={graphCss["graph-foot"]} data-handle="">
       {wrong !== null && (
@@ -121,18 +103,7 @@ function Foot() {
           {words}
         </p>
       )}
-      <div class={graphCss["graph-zoom"]}>
-        {zoom > 1.01 && <span class="readout number">{formatNumber(zoom, zoom < 10 ? 1 : 0)}×</span>}
-        <IconButton kind="quiet" icon="remove" label="Zoom out" onClick={() => zoomAbout(1 / 1.6)} />
-        <IconButton kind="quiet" icon="add" label="Zoom in" onClick={() => zoomAbout(1.6)} />
-        <IconButton
-          kind="quiet"
-          icon="whole"
-          label="Show all of it"
-          disabled={Math.abs(zoom - 1) < 1e-6}
-          onClick={showAll}
-        />
-      </div>
+      <ZoomButtons zoom={magnified.value} zoomAbout={zoomAbout} showAll={showAll} />
     </div>
   );
 }

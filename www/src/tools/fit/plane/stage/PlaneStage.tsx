@@ -1,11 +1,11 @@
 import { useSignalEffect } from "@preact/signals";
-import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
-import { formatNumber } from "#format/numbers";
 import { type Screen, type Size, toScreen, type View, world } from "#geometry/coordinates";
 import { palette } from "#style/palette";
-import { IconButton } from "#ui/controls/Button";
 import { attachPanZoom, type PanZoom, panZoomKey } from "#ui/panZoom";
+import { emptied, useBox } from "../../by-hand/surface";
+import { ZoomButtons } from "../../by-hand/ZoomButtons";
 import css from "../../graph/graph.module.css";
 import type { PlaneCurve } from "../model/curve";
 import { chosenPiece, curve, damage, problem } from "../model/document";
@@ -36,28 +36,12 @@ export function PlaneStage() {
   const root = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => (root.current ? attachPanZoom(root.current, PICTURE) : undefined), []);
-  useLayoutEffect(() => {
-    const element = root.current;
-    if (!element) return;
-    const measure = () => {
-      stageBox.value = { width: element.clientWidth, height: element.clientHeight };
-    };
-    const watch = new ResizeObserver(measure);
-    watch.observe(element);
-    measure();
-    return () => watch.disconnect();
-  }, []);
+  useBox(root, stageBox);
   useSignalEffect(() => {
     const element = canvas.current;
-    const context = element?.getContext("2d");
     const size = stageBox.value;
-    if (!element || !context || size.width === 0) return;
-    const ratio = Math.min(3, globalThis.devicePixelRatio || 1);
-    const [across, down] = [Math.round(size.width * ratio), Math.round(size.height * ratio)];
-    if (element.width !== across) element.width = across;
-    if (element.height !== down) element.height = down;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, size.width, size.height);
+    const context = emptied(element, size);
+    if (!element || !context) return;
     sides(
       context,
       curve.value,
@@ -146,7 +130,6 @@ function trace(
 
 function Foot() {
   const wrong = problem.value;
-  const zoom = magnified.value;
   const { complete, line } = drawn.value;
   return (
     <div class={css["graph-foot"]} data-handle="">
@@ -165,18 +148,7 @@ function Foot() {
           Drawn as finely as {(line.length / 3).toLocaleString("en-GB")} points can
         </p>
       )}
-      <div class={css["graph-zoom"]}>
-        {zoom > 1.01 && <span class="readout number">{formatNumber(zoom, zoom < 10 ? 1 : 0)}×</span>}
-        <IconButton kind="quiet" icon="remove" label="Zoom out" onClick={() => zoomAbout(1 / 1.6)} />
-        <IconButton kind="quiet" icon="add" label="Zoom in" onClick={() => zoomAbout(1.6)} />
-        <IconButton
-          kind="quiet"
-          icon="whole"
-          label="Show all of it"
-          disabled={Math.abs(zoom - 1) < 1e-6}
-          onClick={showAll}
-        />
-      </div>
+      <ZoomButtons zoom={magnified.value} zoomAbout={zoomAbout} showAll={showAll} />
     </div>
   );
 }
