@@ -31,11 +31,13 @@ test("a curve for one end makes both ends curves, in one step, and a system brin
     /^Shape A: Maple.*, closed curve with \d+ knots, \d+ copies/,
   );
   expect((await studio.scene()).curves?.b.preset).toBe("white-oak");
-  expect(await studio.said()).toContainEqual(
-    expect.stringMatching(
-      /^Gasket was put away: an outline morphs only with an outline\. B is Oak.* for now\.$/,
-    ),
-  );
+  await expect
+    .poll(() => studio.said())
+    .toContainEqual(
+      expect.stringMatching(
+        /^Gasket was put away: an outline morphs only with an outline\. B is Oak.* for now\.$/,
+      ),
+    );
   await expect(studio.verdict).toHaveText("One closed curveby construction");
   const maple = await studio.look();
   expect(maple.hash).not.toBe(before.hash);
@@ -65,11 +67,13 @@ test("a curve for one end makes both ends curves, in one step, and a system brin
   await expect(dialog).toContainText(/whoever chooses one puts Maple.* away, and A is Gasket then\./);
   await expect(dialog).not.toContainText("Holds with");
   await dialog.getByRole("button", { name: /^Gasket/ }).click();
-  expect(await studio.said()).toContainEqual(
-    expect.stringMatching(
-      /^Maple.* was put away: an outline morphs only with an outline\. A is Gasket for now\.$/,
-    ),
-  );
+  await expect
+    .poll(() => studio.said())
+    .toContainEqual(
+      expect.stringMatching(
+        /^Maple.* was put away: an outline morphs only with an outline\. A is Gasket for now\.$/,
+      ),
+    );
   await expect(card(page, "B")).toHaveAccessibleName(/^Shape B: Gasket, 3 maps/);
   expect((await studio.scene()).curves).toBeUndefined();
   expect((await studio.scene()).b.preset).toBe("gasket");

@@ -39,7 +39,7 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   await expect.poll(async () => (await studio.scene()).a.name).toBe("binary");
   const scene = await studio.scene();
   expect([scene.tool ?? "morph", scene.t, scene.b.preset]).toEqual(["morph", 0, "tree"]);
-  expect((await studio.said()).join()).toContain("negative");
+  await expect.poll(async () => (await studio.said()).join()).toContain("negative");
   await page.getByRole("button", { name: "As B instead" }).click();
   await expect.poll(async () => (await studio.scene()).b.name).toBe("binary");
   expect((await studio.scene()).a.preset).toBe("fern");
@@ -71,7 +71,7 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   await arrive(page, "drop", "first.ifs", BINARY, others);
   const dialog = page.getByRole("dialog", { name: "2 files" });
   await expect(dialog).toContainText("2 systems are in it");
-  expect((await studio.said()).join()).toContain("Left out: letter.pdf.");
+  await expect.poll(async () => (await studio.said()).join()).toContain("Left out: letter.pdf.");
   await dialog.getByRole("button", { name: /other/ }).click();
   await expect.poll(async () => (await studio.scene()).a.name).toBe("other");
 });

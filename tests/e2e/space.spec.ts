@@ -260,7 +260,7 @@ test("a shadow along a direction that is kept goes on into the morph", async ({ 
 test("what cannot be is refused, and the work stays", async ({ studio, page }) => {
   await studio.open("tool=space&space=o:nothing");
   await whole(page);
-  expect((await studio.said()).join()).toContain("damaged");
+  await expect.poll(async () => (await studio.said()).join()).toContain("damaged");
   // Everything behind the eye: said, with a way back.
   await studio.open(`${TETRAHEDRON}&space-view=0,50,0,1,0,0,0.7`);
   await expect(page.getByText("Everything is behind the eye.")).toBeVisible();
