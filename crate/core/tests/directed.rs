@@ -198,6 +198,19 @@ fn the_largest_graphs_are_checked_in_bounded_time() {
 }
 
 #[test]
+fn systems_that_were_found_may_have_more_states_and_be_moved() {
+    let ring = |count: usize, maps: usize| -> Vec<Vec<DirectedMap>> {
+        (0..count).map(|i| vec![half((i + 1) % count, 0.5, 0.0); maps]).collect()
+    };
+    let found = DirectedIfs::found(ring(200, 2)).unwrap();
+    let by = vec![Affine2::similitude(2.0, 0.3, DVec2::ONE); found.len()];
+    assert_eq!(found.moved(&by).unwrap().unwrap().len(), 200);
+    let words = |states: usize, maps: usize| DirectedIfs::found(ring(states, maps)).unwrap_err().to_string();
+    assert!(words(1025, 1).contains("1025 states, and the most is 1024"));
+    assert!(words(200, 50).contains("10000 maps of all states together, and the most is 8192"));
+}
+
+#[test]
 fn recurrent_systems_are_graphs_of_their_pieces() {
     let maps = [0.0, 0.5, 0.25].map(|x| Affine2::similitude(0.5, 0.0, DVec2::new(x, x)));
     let system = DirectedIfs::recurrent(&maps, &[0..3, 0..2, 1..3]).unwrap();

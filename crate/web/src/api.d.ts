@@ -643,7 +643,8 @@ export interface DirectedMap {
 /**
  * A graph-directed system: 1 to 64 states, each the union of 1 to 64 copies of states. State 0 is the shape that is
  * meant. An `Ifs` is the case of one state whose maps are all `from` 0. One that `gridIntersection` finds may have 1024
- * states, which `directedFacts` and `rasterizeDirected` take.
+ * states, of 8192 maps in all; `directedFacts`, `directedAttractor` and `rasterizeDirected` take as many, what decides,
+ * matches or certifies takes 64 states.
  */
 export interface DirectedIfs {
   states: DirectedMap[][];
@@ -742,7 +743,7 @@ export interface DigitSystem {
   digits: [x: number, y: number][];
 }
 
-/** What two shapes of one grid share, as a graph-directed system. */
+/** What two shapes of one grid share, as a graph-directed system of up to 1024 states. */
 export interface GridIntersection {
   /** State 0 is what they share; null where they do not meet. */
   system: DirectedIfs | null;

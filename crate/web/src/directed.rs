@@ -57,7 +57,7 @@ fn read_found(value: &JsValue) -> Result<DirectedIfs, JsValue> {
 fn read_states(value: &JsValue, most: usize) -> Result<Vec<Vec<DirectedMap>>, JsValue> {
     let states = Reflect::get(value, &"states".into()).unwrap_or(JsValue::UNDEFINED);
     if let Some(count) = longer_than(&states, most) {
-        return Err(of_directed(&DirectedError::TooManyStates { count }));
+        return Err(of_directed(&DirectedError::TooManyStates { count, most }));
     }
     if let Some(list) = states.dyn_ref::<Array>() {
         for (state, maps) in list.iter().enumerate() {
@@ -121,7 +121,7 @@ pub fn outline_shape(
 }
 
 /// Where the states of a graph-directed system lie, their dimensions, and which of them the shape (state 0) is not made
-/// of or no way leads back to. Throws what is wrong with the system.
+/// of or no way leads back to. Throws what is wrong with the system. It may have 1024 states.
 #[wasm_bindgen(js_name = directedFacts, unchecked_return_type = "DirectedFacts")]
 pub fn directed_facts(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
@@ -164,14 +164,14 @@ fn no_state(state: usize) -> JsValue {
     failure("state", &format!("There is no state {}. Ask for one that is there.", state.saturating_add(1)))
 }
 
-/// Points of a state, by the chaos game: the same seed gives the same points everywhere.
+/// Points of a state, by the chaos game: the same seed gives the same points everywhere. There may be 1024 states.
 #[wasm_bindgen(js_name = directedAttractor, unchecked_return_type = "PointCloud")]
 pub fn directed_attractor(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
     #[wasm_bindgen(unchecked_param_type = "{ points: number; seed?: number; state?: number }")]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let system = read_system(&system)?;
+    let system = read_found(&system)?;
     let Points { points, seed, state } = read("The options", options)?;
     if !(0.0..=MAX_POINTS).contains(&points) {
         return Err(bad_input("points", "a number from 0 to 16777216 is needed"));
@@ -208,7 +208,7 @@ struct Plain {
 }
 
 /// Draws a state of a graph-directed system, complete, as `rasterize` does: coloured by its maps, or, at a `level` of 1
-/// to 8, by the states that are copied there after so many maps.
+/// to 8, by the states that are copied there after so many maps. There may be 1024 states.
 #[wasm_bindgen(js_name = rasterizeDirected, unchecked_return_type = "Uint8ClampedArray")]
 pub fn rasterize_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
@@ -240,7 +240,7 @@ struct PlainOptions {
     budget: Option<f64>,
 }
 
-/// Decides for each state of a graph-directed system whether it is in one piece.
+/// Decides for each state of a graph-directed system, of 64 at most, whether it is in one piece.
 #[wasm_bindgen(js_name = directedConnectedness, unchecked_return_type = "StateConnectedness[]")]
 pub fn directed_connectedness(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
@@ -304,7 +304,8 @@ fn read_morph(
     Ok((morph.map_err(|error| failure(error.code(), &error.to_string()))?, plain))
 }
 
-/// Which state of one graph-directed system becomes which of another, and what was done to match the graphs.
+/// Which state of one graph-directed system becomes which of another, and what was done to match the graphs. Neither may
+/// have more than 64 states, nor what they are matched to.
 #[wasm_bindgen(js_name = matchDirected, unchecked_return_type = "DirectedMatch")]
 pub fn match_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,
@@ -315,7 +316,7 @@ pub fn match_directed(
 }
 
 /// The graph-directed system at (u, v) between two, whose graphs are matched (Burch & Hart 1997, eq 6 and section 7.1).
-/// It need not have an attractor.
+/// It need not have an attractor. Of 64 states at most, as for `matchDirected`.
 #[wasm_bindgen(js_name = interpolateDirected, unchecked_return_type = "DirectedIfs")]
 pub fn interpolate_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,
@@ -327,7 +328,8 @@ pub fn interpolate_directed(
     write(&PlainSystem::of(&morph.at(u, v)))
 }
 
-/// Looks for a proof that the states stay in one piece on the way from one graph-directed system to another, u = v.
+/// Looks for a proof that the states stay in one piece on the way from one graph-directed system to another, u = v. Of 64
+/// states at most, as for `matchDirected`.
 #[wasm_bindgen(js_name = certifyDirected, unchecked_return_type = "DirectedCertificate")]
 pub fn certify_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,

@@ -4,10 +4,11 @@ use thiserror::Error;
 
 use crate::error::{IfsError, MAX_MAPS};
 
-/// The most states a [`DirectedIfs`](crate::DirectedIfs) may have.
+/// The most states of a system that is made by hand ([`DirectedIfs::new`](crate::DirectedIfs::new)).
 pub const MAX_STATES: usize = 64;
 
-/// The most states of a system that was found and not made by hand.
+/// The most states of a system that was found and not made by hand
+/// ([`DirectedIfs::found`](crate::DirectedIfs::found)).
 pub const MOST_FOUND_STATES: usize = 1024;
 /// The most maps of all its states together.
 pub const MOST_FOUND_MAPS: usize = 8192;
@@ -18,9 +19,17 @@ pub enum DirectedError {
     /// There is no state.
     #[error("There are no states. Add at least one.")]
     NoStates,
-    /// There are more than [`MAX_STATES`].
-    #[error("There are {count} states, and the most is {MAX_STATES}. Remove some.")]
+    /// There are more than [`MAX_STATES`], or than [`MOST_FOUND_STATES`] of a system that was found.
+    #[error("There are {count} states, and the most is {most}. Remove some.")]
     TooManyStates {
+        /// How many there are.
+        count: usize,
+        /// How many there may be.
+        most: usize,
+    },
+    /// The states of a system that was found have more than [`MOST_FOUND_MAPS`] maps together.
+    #[error("There are {count} maps of all states together, and the most is {MOST_FOUND_MAPS}. Remove some.")]
+    TooManyMapsInAll {
         /// How many there are.
         count: usize,
     },
@@ -111,7 +120,7 @@ impl DirectedError {
             Self::NoStates => "no-states",
             Self::TooManyStates { .. } => "too-many-states",
             Self::NoMaps { .. } => "no-maps",
-            Self::TooManyMaps { .. } => "too-many-maps",
+            Self::TooManyMaps { .. } | Self::TooManyMapsInAll { .. } => "too-many-maps",
             Self::From { .. } => "state",
             Self::NotFinite { .. } => "not-finite",
             Self::NoAttractor { .. } => "no-attractor",

@@ -13,7 +13,8 @@ use crate::ifs::system::Ifs;
 use crate::linear::affine::Affine2;
 use crate::linear::transform::TransformError;
 
-/// A graph-directed iterated function system of the plane: 1 to 64 states, each a union of 1 to 64 copies of states.
+/// A graph-directed iterated function system of the plane: states, each a union of 1 to 64 copies of states. Made by hand
+/// ([`DirectedIfs::new`]) there are 1 to 64 of them, found by a search ([`DirectedIfs::found`]) up to 1024.
 ///
 /// State i stands for a compact set `K_i`, and these are the only ones with
 ///
@@ -65,8 +66,9 @@ impl DirectedIfs {
     /// As [`DirectedIfs::new`].
     pub fn found(states: Vec<Vec<DirectedMap>>) -> Result<Self, DirectedError> {
         check(&states, MOST_FOUND_STATES)?;
-        if states.iter().map(Vec::len).sum::<usize>() > MOST_FOUND_MAPS {
-            return Err(DirectedError::TooManyStates { count: states.len() });
+        let count = states.iter().map(Vec::len).sum();
+        if count > MOST_FOUND_MAPS {
+            return Err(DirectedError::TooManyMapsInAll { count });
         }
         Self::checked(states)
     }
@@ -116,7 +118,7 @@ impl DirectedIfs {
         &self.states
     }
 
-    /// The number of states, 1 to 64.
+    /// The number of states, 1 to [`MOST_FOUND_STATES`].
     #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "a system is never empty")]
     pub fn len(&self) -> usize {
@@ -177,7 +179,7 @@ impl DirectedIfs {
     /// beyond the end of `by` stay.
     ///
     /// # Errors
-    /// [`TransformError`] as [`Affine2::undo`], or [`DirectedError`] as [`DirectedIfs::new`] where the numbers become
+    /// [`TransformError`] as [`Affine2::undo`], or [`DirectedError`] as [`DirectedIfs::found`] where the numbers become
     /// too large or rounding leaves it open whether the maps contract.
     pub fn moved(&self, by: &[Affine2]) -> Result<Result<Self, DirectedError>, TransformError> {
         let back: Vec<Affine2> = by.iter().map(|transform| transform.undo()).collect::<Result<_, _>>()?;
@@ -188,7 +190,8 @@ impl DirectedIfs {
         };
         let states = self.states.iter().enumerate();
         let states = states.map(|(into, maps)| maps.iter().map(|map| part(into, map)).collect());
-        Ok(Self::new(states.collect())
+        // As many states as there were, which may have been found.
+        Ok(Self::found(states.collect())
             .map(|moved| Self { probabilities: self.probabilities.clone(), ..moved }))
     }
 }
@@ -213,7 +216,7 @@ fn check(states: &[Vec<DirectedMap>], most: usize) -> Result<(), DirectedError> 
         return Err(DirectedError::NoStates);
     }
     if count > most {
-        return Err(DirectedError::TooManyStates { count });
+        return Err(DirectedError::TooManyStates { count, most });
     }
     for (state, maps) in states.iter().enumerate() {
         if maps.is_empty() {

@@ -14,7 +14,7 @@ impl ClosedCurve {
     pub fn to_states(&self) -> Result<DirectedIfs, DirectedError> {
         let count = self.knots.len();
         if count >= MAX_STATES {
-            return Err(DirectedError::TooManyStates { count: count + 1 });
+            return Err(DirectedError::TooManyStates { count: count + 1, most: MAX_STATES });
         }
         let whole = (0..count).map(|edge| DirectedMap { from: edge + 1, map: Affine2::IDENTITY }).collect();
         let mut states = vec![whole];
@@ -66,7 +66,7 @@ impl ClosedCurve {
     pub fn chain_states(&self) -> Result<Vec<Vec<DirectedMap>>, DirectedError> {
         let count = self.knots.len();
         if count > MAX_STATES * MAX_MAPS {
-            return Err(DirectedError::TooManyStates { count });
+            return Err(DirectedError::TooManyStates { count, most: MAX_STATES });
         }
         let arcs = if count > MAX_MAPS { count.div_ceil(MAX_MAPS) } else { 0 };
         let straight = (0..count).any(|edge| self.edges.get(edge).copied().flatten().is_none());
@@ -101,7 +101,7 @@ impl ClosedCurve {
             }
             states.push(arc.into_iter().map(|k| chain.part(1 + arcs, k, back, map)).collect());
             if states.len() > MAX_STATES {
-                return Err(DirectedError::TooManyStates { count: states.len() });
+                return Err(DirectedError::TooManyStates { count: states.len(), most: MAX_STATES });
             }
         }
         Ok(states)

@@ -86,7 +86,7 @@ impl DirectedShape {
         // Before any memory is asked for: the lists may be of any length.
         let count = self.states.len();
         if count > MAX_STATES {
-            return Err(DirectedError::TooManyStates { count });
+            return Err(DirectedError::TooManyStates { count, most: MAX_STATES });
         }
         if let Some(state) = self.states.iter().position(|maps| maps.len() > MAX_MAPS) {
             return Err(DirectedError::TooManyMaps { state, count: self.states[state].len() });
