@@ -68,7 +68,12 @@ test("a fit within so many bytes is told beside others of as many, and a link ho
   await expect(tool.status).toHaveText(/^\d\d bytes$/);
   expect((await tool.scene()).fit?.spline?.word).toBe(word);
   await page.getByRole("button", { name: "Bend it" }).click();
-  await expect.poll(() => page.url()).toContain("&curve-a=curve:");
+  // What is bent is the same curve: it is not written again.
+  await expect.poll(() => page.url()).toContain("&curve-a=spline&");
+  const knots = page.getByText(/^closed curve, [1-9]\d* knots/);
+  const before = await knots.textContent();
+  await page.reload();
+  await expect(knots).toHaveText(before ?? "");
 });
 
 test("each copy is seen with its arc, by keys and by pointer, and the curve grows out of its knots", async ({

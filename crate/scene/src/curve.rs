@@ -71,22 +71,27 @@ impl Curve {
 }
 
 /// One end of a morph between closed curves.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct CurveShape {
     /// Its id in the gallery, while it is that of the gallery.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub preset: Option<String>,
     /// Its name.
     pub name: String,
-    /// The curve.
+    /// The curve. A link with a `spline` leaves it without knots.
     pub curve: Curve,
+    /// The word of the curve of corners and parabolas ([`Spline::to_text`](frond_fit::Spline::to_text)) that it is, as
+    /// [`Spline::polygon`](frond_fit::Spline::polygon) and [`Curve::taken`] make it: what a link keeps of it. What reads
+    /// it is no part of the module for the first picture, so that this is left to those who draw it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spline: Option<String>,
 }
 
 impl CurveShape {
     /// The closed curve.
     ///
     /// # Errors
-    /// Where knots or arcs are missing, or copies do not shrink.
+    /// Where knots or arcs are missing, or copies do not shrink; and where a spline stands for it.
     pub fn closed(&self) -> Result<ClosedCurve, PackError> {
         let curve = ClosedCurve::from(&self.curve);
         if curve.knots.len() > frond_fit::MAX_KNOTS {

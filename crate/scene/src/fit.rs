@@ -99,8 +99,7 @@ impl SplineShape {
     /// Whether its word has the letters, and is of the length, that words of splines may have.
     #[must_use]
     pub fn is_word(&self) -> bool {
-        let fair = |letter: u8| letter.is_ascii_alphanumeric() || letter == b'-' || letter == b'_';
-        (2..=MOST_LETTERS).contains(&self.word.len()) && self.word.bytes().all(fair)
+        is_spline_word(&self.word)
     }
 
     /// The curve.
@@ -110,6 +109,13 @@ impl SplineShape {
     pub fn spline(&self) -> Result<Spline, SplineError> {
         Spline::from_text(&self.word)
     }
+}
+
+/// Whether a word has the letters, and is of the length, that words of splines may have.
+#[must_use]
+pub fn is_spline_word(word: &str) -> bool {
+    let fair = |letter: u8| letter.is_ascii_alphanumeric() || letter == b'-' || letter == b'_';
+    (2..=MOST_LETTERS).contains(&word.len()) && word.bytes().all(fair)
 }
 
 /// The longest word of a curve of the plane: 256 pieces of numbers with all their digits.

@@ -397,7 +397,13 @@ export interface Curve {
 export interface CurveShape {
   preset?: string;
   name: string;
+  /** Without knots where a link holds a `spline`. */
   curve: Curve;
+  /**
+   * The word of the curve of corners and parabolas that it is, which a link keeps in its place: what `splineCurve` makes
+   * of it, about the origin, its longer side 2.
+   */
+  spline?: string;
 }
 
 export interface CurvePreset {

@@ -6,12 +6,13 @@
 //! fit=outline:spline,260,0&bytes=50&spline=AaBb..&spline-name=My%20leaf
 //! fit=plane:closed,260,0&plane=0,0,0;..:0.5,0,0,0.5,0,2;..
 //! curve-a=fitted&curve-b=curve-a&fitted=curve:AaBb..
+//! curve-a=spline:AaBb..&curve-b=maple
 //! ```
 //!
 //! The word of a curve is [`ClosedCurve::to_text`], that of a spline
 //! [`Spline::to_text`](frond_fit::Spline::to_text); a piece of a graph is a, b, c, d, e and its domain. A curve that
-//! was taken from the fit of the same link, or is that of the other end, is not written twice: `fitted` and `curve-a`
-//! stand for it. Whether the words of a spline and of a curve of the plane are some is left to those who draw them:
+//! was taken from the fit of the same link, or is that of the other end, is not written twice: `fitted`, `spline` and
+//! `curve-a` stand for it. Whether the words of a spline and of a curve of the plane are some is left to those who draw them:
 //! what that takes is no part of the module for the first picture.
 
 use std::fmt::Write as _;
@@ -25,7 +26,7 @@ use super::words::{
 use crate::curve::{Curve, CurveShape, Curves};
 use crate::fit::{
     BYTES, Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS, SplineShape,
-    USUAL_BYTES, is_plane_word,
+    USUAL_BYTES, is_plane_word, is_spline_word,
 };
 
 const MODES: [(&str, FitMode); 3] =
@@ -55,25 +56,38 @@ fn gallery(id: &str) -> Option<CurveShape> {
         preset: Some(preset.id.to_owned()),
         name: preset.name.to_owned(),
         curve: Curve::from(&preset.curve),
+        spline: None,
     })
 }
 
 /// The curves of a link that others may be, by the words that stand for them.
-type Given<'a> = [Option<(&'static str, &'a CurveShape)>; 2];
+type Given<'a> = [Option<(&'static str, &'a CurveShape)>; 3];
 
-const NONE: &Given<'static> = &[None, None];
+const NONE: &Given<'static> = &[None, None, None];
 
-/// That of a fit, as a morph takes it.
-fn taken(fit: Option<&Fit>) -> Option<CurveShape> {
-    let shape = fit?.curve.as_ref()?;
-    Some(CurveShape { preset: None, name: shape.name.clone(), curve: shape.curve.taken().ok()? })
+/// Those of a fit, as a morph takes them: the closed curve, and the spline.
+fn taken(fit: Option<&Fit>) -> [Option<CurveShape>; 2] {
+    let curve = fit.and_then(|fit| fit.curve.as_ref()).and_then(|shape| {
+        Some(CurveShape { preset: None, curve: shape.curve.taken().ok()?, ..shape.clone() })
+    });
+    let spline = fit.and_then(|fit| fit.spline.as_ref()).map(|shape| CurveShape {
+        name: shape.name.clone(),
+        spline: Some(shape.word.clone()),
+        ..CurveShape::default()
+    });
+    [curve, spline]
+}
+
+/// The curves of a fit, and that of the other end.
+fn given<'a>([curve, spline]: &'a [Option<CurveShape>; 2], a: Option<&'a CurveShape>) -> Given<'a> {
+    let named = |word, shape: Option<&'a CurveShape>| shape.map(|shape| (word, shape));
+    [named(FITTED[0], curve.as_ref()), named(SPLINE, spline.as_ref()), named(A[0], a)]
 }
 
 pub(super) fn write_curves(link: &mut String, curves: &Curves, fit: Option<&Fit>) -> Result<(), LinkError> {
     let fitted = taken(fit);
-    let fitted = fitted.as_ref().map(|shape| (FITTED[0], shape));
-    write_curve(link, A, &curves.a, &[fitted, None])?;
-    write_curve(link, B, &curves.b, &[fitted, Some((A[0], &curves.a))])
+    write_curve(link, A, &curves.a, &given(&fitted, None))?;
+    write_curve(link, B, &curves.b, &given(&fitted, Some(&curves.a)))
 }
 
 fn write_curve(
@@ -82,20 +96,29 @@ fn write_curve(
     shape: &CurveShape,
     given: &Given<'_>,
 ) -> Result<(), LinkError> {
-    let same = |found: &CurveShape| found.curve == shape.curve;
+    let same = |found: &CurveShape| {
+        found.spline == shape.spline && (shape.spline.is_some() || found.curve == shape.curve)
+    };
     if let Some(id) = shape.preset.as_deref().filter(|id| gallery(id).as_ref().is_some_and(same)) {
         let _ = write!(link, "&{key}={id}");
         return Ok(());
     }
     let name = tidy(&shape.name);
-    if let Some((word, of)) = given.iter().flatten().find(|(_, of)| of.curve == shape.curve) {
+    if let Some((word, of)) = given.iter().flatten().find(|(_, of)| same(of)) {
         let _ = write!(link, "&{key}={word}");
         write_name(link, name_key, if name == tidy(&of.name) { "" } else { &name });
         return Ok(());
     }
-    let unwritten = |source| LinkError::Curve { which, source };
-    let text = shape.closed().and_then(|curve| curve.to_text()).map_err(unwritten)?;
-    let _ = write!(link, "&{key}=curve:{text}");
+    if let Some(word) = &shape.spline {
+        if !is_spline_word(word) {
+            return Err(damaged(key, word));
+        }
+        let _ = write!(link, "&{key}=spline:{word}");
+    } else {
+        let unwritten = |source| LinkError::Curve { which, source };
+        let text = shape.closed().and_then(|curve| curve.to_text()).map_err(unwritten)?;
+        let _ = write!(link, "&{key}=curve:{text}");
+    }
     write_name(link, name_key, &name);
     Ok(())
 }
@@ -120,9 +143,8 @@ pub(super) fn read_curves<'a>(
         Err(LinkError::Value { key, value: format!("left out beside “{other}”") })
     };
     let fitted = taken(fit);
-    let fitted = fitted.as_ref().map(|shape| (FITTED[0], shape));
-    let a = read_curve(get, A, &[fitted, None])?;
-    let b = read_curve(get, B, &[fitted, a.as_ref().map(|a| (A[0], a))])?;
+    let a = read_curve(get, A, &given(&fitted, None))?;
+    let b = read_curve(get, B, &given(&fitted, a.as_ref()))?;
     match (a, b) {
         (Some(a), Some(b)) => Ok(Some(Curves { a, b })),
         (None, None) => Ok(None),
@@ -139,15 +161,20 @@ fn read_curve<'a>(
     let Some(text) = get(key) else { return Ok(None) };
     if let Some((_, shape)) = given.iter().flatten().find(|(word, _)| *word == text) {
         let name = read_name(get, name_key).unwrap_or_else(|| tidy(&shape.name));
-        return Ok(Some(CurveShape { preset: None, name, curve: shape.curve.clone() }));
+        return Ok(Some(CurveShape { preset: None, name, ..(*shape).clone() }));
+    }
+    let name = || read_name(get, name_key).unwrap_or_else(|| "Own curve".to_owned());
+    if let Some(word) = text.strip_prefix("spline:") {
+        let spline = Some(word.to_owned()).filter(|word| is_spline_word(word));
+        let spline = Some(spline.ok_or_else(|| damaged(key, text))?);
+        return Ok(Some(CurveShape { name: name(), spline, ..CurveShape::default() }));
     }
     let Some(word) = text.strip_prefix("curve:") else {
         return gallery(text).map(Some).ok_or_else(|| damaged(key, text));
     };
     let curve = ClosedCurve::from_text(word)
         .map_err(|error| LinkError::Value { key, value: as_a("read as a curve", &error) })?;
-    let name = read_name(get, name_key).unwrap_or_else(|| "Own curve".to_owned());
-    Ok(Some(CurveShape { preset: None, name, curve: Curve::from(&curve) }))
+    Ok(Some(CurveShape { name: name(), curve: Curve::from(&curve), ..CurveShape::default() }))
 }
 
 pub(super) fn write_fit(link: &mut String, fit: &Fit) -> Result<(), LinkError> {

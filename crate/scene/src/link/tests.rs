@@ -68,9 +68,19 @@ fn any_curve() -> impl Strategy<Value = CurveShape> {
             let curve = frond_fit::ClosedCurve { knots, edges: (0..count).map(edge).collect() };
             let name = tidy(&name);
             let name = if name.is_empty() { "Own curve".to_owned() } else { name };
-            Some(CurveShape { preset: None, name, curve: Curve::from(&curve.quantised().ok()?) })
+            Some(CurveShape { name, curve: Curve::from(&curve.quantised().ok()?), ..CurveShape::default() })
         },
     )
+}
+
+/// An end of a morph: a closed curve, or the word of a spline in its place.
+fn any_end() -> impl Strategy<Value = CurveShape> {
+    let spline = any_spline().prop_map(|SplineShape { name, word }| CurveShape {
+        name,
+        spline: Some(word),
+        ..CurveShape::default()
+    });
+    prop_oneof![2 => any_curve(), 1 => spline]
 }
 
 /// A shape of up to four states, with copies of states that are there.
@@ -95,7 +105,7 @@ fn any_directed() -> impl Strategy<Value = DirectedShape> {
 fn any_stand_in() -> impl Strategy<Value = (Option<Curves>, Option<Directed>)> {
     prop_oneof![
         Just((None, None)),
-        (any_curve(), any_curve()).prop_map(|(a, b)| (Some(Curves { a, b }), None)),
+        (any_end(), any_end()).prop_map(|(a, b)| (Some(Curves { a, b }), None)),
         (any_directed(), any_directed()).prop_map(|(a, b)| (None, Some(Directed { a, b }))),
     ]
 }

@@ -1,20 +1,45 @@
 /** Closed curves: what the morph and the deformation work on in place of two systems, where the document has them. */
-import { computed, effect, type ReadonlySignal } from "@preact/signals";
+import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
 import type { Box } from "#geometry/boxes";
 import type { Curve, CurveShape } from "#wasm/api";
 import { curvesReady, loadCurves, rough } from "#wasm/curve";
 import { notify, wordsOf } from "../notice";
 import { scene } from "../scene";
+import { drawable } from "./polygon";
 
 export type CurveMorph = InstanceType<typeof rough.CurveMorph>;
 
-/** The curves of the document. */
-export const curves: ReadonlySignal<{ a: CurveShape; b: CurveShape } | null> = computed(
-  () => scene.value.curves ?? null,
-);
+const inDocument = computed(() => scene.value.curves ?? null);
+
+/** The curves of the document, as they are drawn. */
+export const curves: ReadonlySignal<{ a: CurveShape; b: CurveShape } | null> = computed(() => {
+  const now = inDocument.value;
+  if (!now || !curvesReady.value) return now;
+  try {
+    const [a, b] = [drawable(now.a), drawable(now.b)];
+    return a === now.a && b === now.b ? now : { a, b };
+  } catch {
+    // A word that is no curve: nothing is drawn, and the effect below says why.
+    return now;
+  }
+});
 
 /** Whether there are curves in place of systems. */
-export const curved: ReadonlySignal<boolean> = computed(() => curves.value !== null);
+export const curved: ReadonlySignal<boolean> = computed(() => inDocument.value !== null);
+
+// What a link says is a spline and is none is told once.
+effect(() => {
+  const now = inDocument.value;
+  if (!now || !curvesReady.value) return;
+  for (const shape of [now.a, now.b]) {
+    try {
+      drawable(shape);
+    } catch (problem) {
+      const text = `${shape.name} cannot be drawn: ${wordsOf(problem)}`;
+      untracked(() => notify({ kind: "error", text }));
+    }
+  }
+});
 
 // What draws them is loaded with the first ones.
 effect(() => {

@@ -5,7 +5,7 @@ import { boxAround } from "../framing";
 import { edit, scene } from "../scene";
 import { type End, withCurve } from "./changes";
 import { curveBox, curved } from "./curve";
-import { polygonOf } from "./polygon";
+import { drawable, takenPolygon } from "./polygon";
 
 let loaded: readonly CurvePreset[] | null = null;
 
@@ -26,7 +26,7 @@ function partnerOf(shape: CurveShape): CurveShape {
   return other ? shapeOf(other) : shape;
 }
 
-const around = (now: Scene) => (now.curves ? boxAround(curveBox(now.curves.a.curve)) : null);
+const around = (now: Scene) => (now.curves ? boxAround(curveBox(drawable(now.curves.a).curve)) : null);
 
 /** A curve for one end of the morph. */
 export function chooseCurve(end: End, shape: CurveShape): void {
@@ -50,7 +50,8 @@ export function fitted(): CurveShape | null {
   const { spline } = fit ?? {};
   if (!spline) return fit?.curve ?? null;
   try {
-    return { name: spline.name, curve: polygonOf(spline.word) };
+    const { name, word } = spline;
+    return { name, curve: takenPolygon(word), spline: word };
   } catch {
     return null;
   }

@@ -23,6 +23,9 @@ fn fits_that_cannot_be_are_said_to_be_damaged() {
         "spline=AA+A",
         "curve-a=curve-a&curve-b=maple",
         "curve-a=maple&curve-b=fitted",
+        "curve-a=spline&curve-b=maple",
+        "curve-a=spline:A&curve-b=maple",
+        "curve-a=spline:AA+A&curve-b=maple",
     ];
     let planes = ["plane=", "plane=0,0,0;1,1,x", "plane=0,0,0%3B1"];
     for words in [curve].iter().chain(&graphs).chain(&fits).chain(&planes) {
@@ -41,7 +44,7 @@ fn a_fit_of_260_numbers_takes_less_than_4_kilobytes() {
         |i: usize| frond_fit::ArcCopy { from: (i * 7) % 90, span: 3 + i % 6, reversed: i % 2 == 1, c: 0.01 };
     let edges: Vec<_> = (0..90).map(|i| (i % 9 < 4).then(|| edge(i))).collect();
     let curve = frond_fit::ClosedCurve { knots, edges };
-    let shape = CurveShape { preset: None, name: "A leaf".to_owned(), curve: Curve::from(&curve) };
+    let shape = CurveShape { name: "A leaf".to_owned(), curve: Curve::from(&curve), ..CurveShape::default() };
     assert_eq!(curve.numbers(), 260);
     let mut link = String::new();
     write_curves(&mut link, &Curves { a: shape.clone(), b: shape }, None).unwrap();
@@ -53,8 +56,11 @@ fn a_curve_that_is_fitted_and_stands_at_both_ends_is_written_once() {
     let (gallery, _) = decode("v=1&curve-a=maple&curve-b=oak");
     let leaf = gallery.curves.unwrap().a.curve;
     let moved = Curve { knots: leaf.knots.iter().map(|&[x, y]| [3.0 * x + 7.0, 3.0 * y]).collect(), ..leaf };
-    let of =
-        |name: &str, curve: &Curve| CurveShape { preset: None, name: name.to_owned(), curve: curve.clone() };
+    let of = |name: &str, curve: &Curve| CurveShape {
+        name: name.to_owned(),
+        curve: curve.clone(),
+        ..CurveShape::default()
+    };
     let fitted = of("Leaf", &Curve::from(&frond_fit::ClosedCurve::from(&moved).quantised().unwrap()));
     let taken = of("Leaf", &fitted.curve.taken().unwrap());
     let fit = Fit { curve: Some(fitted), ..Fit::default() };
@@ -87,6 +93,34 @@ fn a_spline_is_its_bytes_in_letters() {
     assert!(shape.word.len() < 32, "{}", shape.word);
     scene.fit.as_mut().unwrap().spline.as_mut().unwrap().word.push('&');
     assert_eq!(crate::link::encode(&scene).map_err(|error| error.code()), Err("link-unfit"));
+}
+
+#[test]
+fn a_spline_that_is_bent_stands_in_a_link_as_its_word_and_once() {
+    let (gallery, _) = decode("v=1&curve-a=maple&curve-b=oak");
+    let oak = gallery.curves.unwrap().b;
+    let word = "ArD2Sst0yl5_ukz6f1W7bH7QZZArw72oRfqqS7rYKZ7lvzYslYyPymBzZ2GeQou2DRUP5EGfUCWQ0cpg".to_owned();
+    let leaf = CurveShape { name: "Leaf".to_owned(), spline: Some(word.clone()), ..CurveShape::default() };
+    let mut scene = Scene { curves: Some(Curves { a: leaf.clone(), b: oak.clone() }), ..Scene::default() };
+    let link = crate::link::encode(&scene).unwrap();
+    assert!(link.ends_with(&format!("&curve-a=spline:{word}&curve-a-name=Leaf&curve-b=oak")), "{link}");
+    assert_eq!(decode(&link), (scene.clone(), None));
+    // Nor is it written twice where it is the fit's, too, or the other end.
+    let spline = Some(SplineShape { name: "Leaf".to_owned(), word: word.clone() });
+    scene.fit = Some(Fit { model: FitModel::Spline, spline, ..Fit::default() });
+    let link = crate::link::encode(&scene).unwrap();
+    assert!(link.contains("&curve-a=spline&curve-b=oak&") && link.matches(&word).count() == 1, "{link}");
+    assert_eq!(decode(&link), (scene.clone(), None));
+    scene.fit = None;
+    scene.curves = Some(Curves { a: leaf.clone(), b: leaf.clone() });
+    let link = crate::link::encode(&scene).unwrap();
+    assert!(link.ends_with("&curve-a-name=Leaf&curve-b=curve-a"), "{link}");
+    assert_eq!(decode(&link), (scene, None));
+    // Two of them are two, though neither has knots.
+    let other = CurveShape { spline: Some(word[..40].to_owned()), ..leaf.clone() };
+    let both = Scene { curves: Some(Curves { a: leaf, b: other }), ..Scene::default() };
+    let link = crate::link::encode(&both).unwrap();
+    assert_eq!((link.matches("=spline:").count(), decode(&link)), (2, (both, None)), "{link}");
 }
 
 #[test]

@@ -82,6 +82,9 @@ function Picture() {
   );
 }
 
+/** Of a curve whose knots are not read yet nothing is counted. */
+const knotsNote = (count: number) => (count === 0 ? "closed curve" : `closed curve, ${count} knots`);
+
 function Shape() {
   const ends = curves.value;
   const { name: first, maps: all, preset } = a.value;
@@ -89,7 +92,7 @@ function Shape() {
   const [name, last] = ends ? [ends.a.name, ends.b.name] : [first, b.value.name];
   const between = t.value > 0 && morphs;
   const still = ends
-    ? `closed curve, ${ends.a.curve.knots.length} knots`
+    ? knotsNote(ends.a.curve.knots.length)
     : `${mapsNote({ maps: all })}${preset === undefined ? ", edited" : ""}`;
   return (
     <>

@@ -103,7 +103,8 @@ export function fitOf(fragment: string): { fit: Fit; shape: CurveShape } | null 
     const { fit } = scene;
     if (problem || !fit) return null;
     const { spline } = fit;
-    const shape = spline ? { name: spline.name, curve: polygonOf(spline.word) } : fit.curve;
+    const { word = "" } = spline ?? {};
+    const shape = spline ? { name: spline.name, curve: polygonOf(word), spline: word } : fit.curve;
     return shape ? { fit, shape } : null;
   } catch {
     return null;

@@ -88,6 +88,7 @@ export function nodesOf(word: string): Float64Array {
 export const polygonShape = (word: string): CurveShape => ({
   name: plainName(source.peek().name),
   curve: polygonOf(word),
+  spline: word,
 });
 
 /** What is there without fitting: found before, or brought by the document. */
