@@ -23,6 +23,7 @@ import { usePlay } from "../../kit/time/play";
 import timeCss from "../../kit/time/time.module.css";
 import { useVerdict } from "../../kit/workers";
 import css from "./page.module.css";
+import { Theorem } from "./Theorem";
 
 /** Steps a second while it plays. */
 const PACE = 12;
@@ -152,6 +153,7 @@ export function Page(heading: Heading) {
           </ol>
         </div>
       </div>
+      <Theorem count={maps.length} edges={run.edges.map(({ between }) => between)} />
       <div class={layout["controls"]}>
         <SliderControl
           label="Pixels a side"

@@ -66,7 +66,9 @@ export function Page(heading: Heading) {
         <p>
           The two ends differ in one map only: the lower left one (1) is turned by half a turn. Blend its
           numbers one by one and it shrinks to a point half-way, where its determinant is 0. Split it into a
-          turn and a stretch, blend these, and it swings round at its full size.
+          turn and a stretch, blend these, and it swings round at its full size. By Theorem 1 (Barnsley 1988)
+          neither jumps: where the maps change continuously with a bounded parameter, and shrink all the
+          while, so does the shape. That it stays in one piece is not said by it.
         </p>
       }
       found={<Found linear={linear} polar={polar} others={[middle, right]} />}
