@@ -13,7 +13,9 @@ import { toError } from "#wasm/error";
 import { directedTask } from "#workers/directed/client";
 import type { Way } from "#workers/directed/moment";
 import { stageStyle } from "../picture-style";
+import { wayFacts } from "./known";
 import { directedLook } from "./options";
+import { toldOf } from "./told";
 
 const SETTLE_MS = 150;
 /** CSS pixels. */
@@ -42,10 +44,24 @@ export function watchFilm(): () => void {
       end.abort();
     };
   });
+  // What is proved of all of the way holds at each of these moments.
+  const prove = effect(() => {
+    const facts = wayFacts.value;
+    if (facts?.proof) film.value = untracked(() => film.value).map((frame) => proved(frame, facts.way));
+  });
   return () => {
     stop();
+    prove();
     film.value = [];
   };
+}
+
+/** A frame with what the proof of its way says of it, where there is one. */
+function proved(frame: Frame, way: Way): Frame {
+  const facts = wayFacts.peek();
+  if (!frame.verdict || !facts) return frame;
+  const [verdict = null] = toldOf([frame.verdict], { ...way, t: frame.t }, facts.way, facts.proof);
+  return { ...frame, verdict };
 }
 
 /** One after the other: first what is seen, then what is known. */
@@ -72,7 +88,7 @@ async function make(way: Way, track: Track, style: RenderStyle, signal: AbortSig
     const asked = { moment: { ...way, t }, epsilon: RESOLUTION };
     try {
       const [verdict = null] = (await directedTask("known", asked, { lane: 1, signal })).states;
-      put(t, { verdict });
+      put(t, { verdict: proved({ t, verdict, bitmap: null, stale: false }, way).verdict });
     } catch (problem) {
       if (signal.aborted) return;
       if (toError(problem).code !== "no-attractor") continue;
