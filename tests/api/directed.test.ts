@@ -3,8 +3,8 @@ import { beforeAll, describe, expect, it } from "vitest";
 import init, * as directed from "../../www/pkg/frond-directed.js";
 
 /** What README.md promises of `frond/directed`. */
-const PROMISED = `directedPresets outlineShape directedFacts directedAttractor rasterizeDirected directedConnectedness matchDirected
-  interpolateDirected certifyDirected digitShape gridIntersection`;
+const PROMISED = `directedPresets outlineShape directedFacts directedAttractor rasterizeDirected directedConnectedness DirectedLocus
+  matchDirected interpolateDirected certifyDirected digitShape gridIntersection`;
 
 type System = Parameters<typeof directed.directedFacts>[0];
 
@@ -141,6 +141,20 @@ describe("graph-directed systems", () => {
     const many = { ...cantor, digits: new Array(1e6).fill([0, 0]) };
     expect(refused(() => at(0, 1, many))).toMatch(/^digits-too-many: There are 1000000/);
     expect(refused(() => directed.digitShape(null as unknown as Digits, {}))).toMatch(/^bad-input/);
+  });
+
+  it("have a map of where their morph holds together", () => {
+    const options = { mode: "linear", width: 4, height: 4 } as const;
+    const map = new directed.DirectedLocus(preset("snowflake"), preset("crystal"), options);
+    const { state, gap } = map.run(0, 4, 1);
+    map.free();
+    expect([state.length, gap.length]).toEqual([16, 16]);
+    // Both ends, at (0, 0) and (1, 1), are proved to be in one piece; the corner of no way is not.
+    expect([state[5], state[10], state[3]]).toEqual([0, 0, 2]);
+    const none = { ...options, width: 0 };
+    expect(refused(() => new directed.DirectedLocus(preset("sun"), preset("quilt"), none))).toMatch(
+      /^locus-size/,
+    );
   });
 
   it("say what is wrong with them", () => {

@@ -4,5 +4,6 @@ pub(crate) mod certify;
 pub(crate) mod connectedness;
 pub(crate) mod extent;
 pub(crate) mod nearest;
+pub(crate) mod sample;
 pub(crate) mod shared_points;
 pub(crate) mod tied;

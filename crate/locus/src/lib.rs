@@ -92,6 +92,7 @@ pub use connectedness::{Connectedness, connectedness};
 pub use decide::{Scratch, decide, decide_bounds, decide_polygon};
 pub use directed::certify::{DirectedCertificate, DirectedCertifyOptions, StateOnTheWay, certify_directed};
 pub use directed::connectedness::{DirectedLink, StateConnectedness, directed_connectedness};
+pub use directed::sample::directed_tile;
 pub use evidence::certificate::{Certificate, certificate};
 pub use evidence::connected_certificate::{
     CertifiedLink, ConnectedCertificate, Squares, connected_certificate,

@@ -4,8 +4,8 @@ use frond_core::{
     Affine2, DirectedIfs, DirectedMap, DirectedMorph, Ifs, Mode, directed_cut, directed_dimension,
 };
 use frond_locus::{
-    DirectedCertifyOptions, Gap, Options, StateConnectedness, StateOnTheWay, Verdict, certify_directed,
-    connectedness, directed_connectedness,
+    Bounds, DirectedCertifyOptions, Gap, LocusGrid, Options, Scratch, State, StateConnectedness,
+    StateOnTheWay, Verdict, certify_directed, connectedness, directed_connectedness, directed_tile,
 };
 use frond_scene::directed_presets;
 use glam::{DMat2, DVec2};
@@ -432,4 +432,61 @@ fn the_search_for_a_proof_ends_where_the_shape_or_a_part_of_it_is_lost() {
     assert!(matches!(certify_directed(&morph, &least).states[0], StateOnTheWay::Open(_)));
     let all = DirectedCertifyOptions { epsilon: 0.1, ..Default::default() };
     assert_eq!(certify_directed(&morph, &all).states[0], StateOnTheWay::Within(0.1));
+}
+
+/// Red where the map says other than the verdict of the shape there, or leaves samples out.
+#[test]
+fn the_map_of_a_morph_says_what_is_said_of_its_shape_at_each_moment() {
+    let grid = LocusGrid::new(Bounds::default(), 7, 7).unwrap();
+    let (mut apart, mut whole) = (0, 0);
+    for (a, b, mode) in [
+        ("snowflake", "crystal", Mode::Linear),
+        ("two-dragons", "quilt", Mode::Polar),
+        ("snowflake", "rauzy", Mode::Polar),
+    ] {
+        let morph = DirectedMorph::new(&preset(a), &preset(b), mode).unwrap();
+        let options = Options { budget: 20_000, ..Options::default() };
+        let tile = directed_tile(&grid, &morph, options.epsilon, 0..7, 1, &mut Scratch::default());
+        assert_eq!((tile.state.len(), tile.gap.len()), (49, 49));
+        for (k, (&state, &gap)) in tile.state.iter().zip(&tile.gap).enumerate() {
+            let at = (grid.u(k % 7), grid.v(k / 7));
+            let state = State::from_code(state).unwrap();
+            let Ok(system) = DirectedIfs::new(morph.at(at.0, at.1)) else {
+                assert!(matches!(state, State::NoAttractor | State::Undecided), "{a} {b} {at:?} {state:?}");
+                continue;
+            };
+            let found = &directed_connectedness(&system, &options)[0];
+            let told = format!("{a} {b} {at:?} {state:?} {gap} {found:?}");
+            match state {
+                State::Connected => assert!(found.verdict == Verdict::Connected, "{told}"),
+                State::Disconnected => {
+                    assert!(found.verdict == Verdict::Disconnected, "{told}");
+                    let [low, high] = [found.gap.lower, found.gap.upper].map(|gap| gap / found.diameter);
+                    assert!((0.9 * low..=1.1 * high).contains(&f64::from(gap)), "{told}");
+                    apart += 1;
+                }
+                State::Touching => {
+                    assert!(found.verdict.holds(), "{told}");
+                    whole += 1;
+                }
+                State::Undecided => {}
+                State::NoAttractor => panic!("{told}"),
+            }
+        }
+        // Both ends are samples, and what is proved of them is proved here.
+        for (k, end) in [(2 * 7 + 2, a), (4 * 7 + 4, b)] {
+            let known = directed_connectedness(&preset(end), &options)[0].verdict;
+            assert_eq!(
+                State::from_code(tile.state[k]).map(|state| state == State::Connected),
+                Some(known == Verdict::Connected),
+                "{end}"
+            );
+        }
+        // Every second row and column, of some rows.
+        let coarse = directed_tile(&grid, &morph, options.epsilon, 1..5, 2, &mut Scratch::default());
+        let of = |row: usize| (0..7).step_by(2).map(move |column| 7 * row + column);
+        let expected: Vec<u8> = [2, 4].into_iter().flat_map(of).map(|k| tile.state[k]).collect();
+        assert_eq!(coarse.state, expected);
+    }
+    assert!(apart > 20 && whole > 5, "{apart} {whole}");
 }

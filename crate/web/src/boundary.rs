@@ -3,7 +3,7 @@
 #[cfg(any(feature = "bend", feature = "curve", feature = "webgpu", feature = "webgl2"))]
 pub(crate) mod bend;
 pub(crate) mod error;
-#[cfg(any(feature = "proof", feature = "space", feature = "webgpu"))]
+#[cfg(any(feature = "directed", feature = "proof", feature = "space", feature = "webgpu"))]
 pub(crate) mod grid;
 pub(crate) mod palette;
 #[cfg(any(feature = "proof", feature = "space"))]

@@ -1,6 +1,7 @@
 //! Graph-directed shapes: several that are made of copies of each other.
 
 mod grid;
+mod locus;
 
 use frond_core::{
     Affine2, DirectedError, DirectedGame, DirectedIfs, DirectedMap, DirectedMorph, Hull, MAX_MAPS,

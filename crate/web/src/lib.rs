@@ -125,7 +125,7 @@ const EXCHANGE_TYPES: &str =
 #[cfg(all(feature = "directed", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
 const DIRECTED_TYPES: &str = r#"import type {
-  Curve, DigitSystem, DirectedCertificate, DirectedFacts, DirectedIfs, DirectedMatch, DirectedPreset,
+  Bounds, Curve, DigitSystem, DirectedCertificate, DirectedFacts, DirectedIfs, DirectedMatch, DirectedPreset,
   DirectedRasterOptions, DirectedShape, GridIntersection, PointCloud, StateConnectedness
 } from "./frond.js";"#;
 

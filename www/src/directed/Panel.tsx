@@ -17,6 +17,7 @@ import type { Colouring, Mode } from "#wasm/api";
 import css from "./directed.module.css";
 import { Editor } from "./Editor";
 import { Way } from "./Found";
+import { DirectedMap } from "./map/Map";
 import { save } from "./save";
 import { DirectedThumb } from "./Thumb";
 import { sizeWords, stateWords } from "./words";
@@ -60,6 +61,7 @@ export function DirectedPanel({ choose }: DirectedPanelProps) {
         />
       )}
       <OnTheWay />
+      {mapped.value && <DirectedMap />}
       <Look />
       <section class="stack" aria-label="Save this shape">
         <div class={css["files"]}>
@@ -135,6 +137,9 @@ const same = computed(() => {
   return now !== null && sameDirected(now);
 });
 
+/** Whether there is a way to be drawn in the map of where it holds together. */
+const mapped = computed(() => !same.value && wayFacts.value?.match != null);
+
 const outlines = computed(() => {
   const now = directedShapes.value;
   return now?.a.outline !== undefined && now.b.outline !== undefined;
@@ -161,7 +166,7 @@ function OnTheWay() {
       <p class="hint">
         {same.value
           ? "Both ends are the same shape: choose another for one of them to have a morph."
-          : "Each state is made of copies of states. On the way each map of a state becomes a map of another, and so does what they copy. The way is straight: there is no map of parameters here."}
+          : "Each state is made of copies of states. On the way each map of a state becomes a map of another, and so does what they copy. The way goes straight through the map below."}
       </p>
       {!same.value && <Problem words={facts?.problem ?? null} />}
       {facts?.problem != null && outlines.value && (

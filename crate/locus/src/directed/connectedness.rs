@@ -82,8 +82,9 @@ pub fn directed_connectedness(system: &DirectedIfs, options: &Options) -> Vec<St
     let extents = Extent::of(system);
     let diameters: Vec<f64> = extents.iter().map(|extent| extent.diameter).collect();
     let epsilon = options.epsilon.max(0.0);
-    let looks: Vec<Look> =
-        (0..system.len()).map(|state| Look::at(system, &extents, state, epsilon, options.budget)).collect();
+    let looks: Vec<Look> = (0..system.len())
+        .map(|state| Look::at(system, &extents, state, epsilon, options.budget, true))
+        .collect();
     let shared = Shared::of(system, &diameters);
     let (given, meant) = match &shared {
         Some((given, meant)) => (Some(given), meant.as_ref()),
@@ -160,31 +161,40 @@ pub fn directed_connectedness(system: &DirectedIfs, options: &Options) -> Vec<St
 const BRACKET_WIDTH: f64 = 0.01;
 
 /// What is seen of the pieces of a state.
-struct Look {
-    widest: Edge,
+pub(super) struct Look {
+    pub widest: Edge,
     /// Whether they come within the resolution of each other.
-    holds: bool,
+    pub holds: bool,
     overlaps: Vec<(usize, usize)>,
     nodes: usize,
 }
 
 impl Look {
-    fn at(system: &DirectedIfs, extents: &[Extent], state: usize, epsilon: f64, budget: usize) -> Self {
-        let maps = &system.states()[state];
-        let pieces: Vec<Piece> = maps.iter().map(|part| Piece { map: part.map, from: part.from }).collect();
+    /// All `overlaps` are looked for, or only as many as are needed to know whether the pieces hold together.
+    pub fn at(
+        system: &DirectedIfs,
+        extents: &[Extent],
+        state: usize,
+        epsilon: f64,
+        budget: usize,
+        all_overlaps: bool,
+    ) -> Self {
+        let maps = system.states()[state].iter();
+        let pieces: Vec<Piece> = maps.map(|part| Piece { map: part.map, from: part.from }).collect();
         let resolution = resolution(&extents[state], epsilon);
         let mut nearest = Nearest::begin(system, extents, state, &pieces);
         let widest = nearest.bracket(resolution, BRACKET_WIDTH, budget);
         let limit = nearest.nodes().saturating_add(budget);
-        let mut overlaps = Vec::new();
-        for i in 0..maps.len() {
-            overlaps.extend(
-                (i + 1..maps.len()).filter(|&j| nearest.settle(i, j, resolution, limit)).map(|j| (i, j)),
-            );
+        let (mut overlaps, mut holds) = (Vec::new(), widest.upper <= resolution);
+        if all_overlaps || !(holds || widest.lower > 0.0) {
+            for i in 0..pieces.len() {
+                let near = |&j: &usize| nearest.settle(i, j, resolution, limit);
+                overlaps.extend((i + 1..pieces.len()).filter(near).map(|j| (i, j)));
+            }
+            let mut graph = OverlapGraph::new(pieces.len());
+            overlaps.iter().for_each(|&(i, j)| graph.add(i, j));
+            holds |= graph.is_connected();
         }
-        let mut graph = OverlapGraph::new(maps.len());
-        overlaps.iter().for_each(|&(i, j)| graph.add(i, j));
-        let holds = widest.upper <= resolution || graph.is_connected();
         Self { widest, holds, overlaps, nodes: nearest.nodes() }
     }
 }
@@ -203,7 +213,7 @@ const LEAST_OF_PROMISED: f64 = 0.25;
 
 /// What splitting the pieces that are copies of states not known to hold says, where it says something; and the pairs
 /// looked at. `gaps` are lower bounds of the gaps of states, in the plane.
-fn deeper(
+pub(super) fn deeper(
     system: &DirectedIfs,
     extents: &[Extent],
     state: usize,

@@ -11,6 +11,7 @@ import type {
 } from "#wasm/api";
 import { directed } from "#wasm/directed";
 import { toError } from "#wasm/error";
+import { COARSE, EPSILON, fillLocus, type LocusSoFar } from "../lanes/locus-fill";
 import type { Context } from "../lanes/task";
 import { drawnAt, type Moment, systemAt, type Way } from "./moment";
 
@@ -112,6 +113,17 @@ export const tasks = {
         return null;
       }
     }),
+  /** Where the morph holds together over (u, v), coarse first. */
+  async locus(context: Context<LocusSoFar>, { from, to, mode }: Way): Promise<LocusSoFar> {
+    const { size } = COARSE;
+    const options = { mode, width: size, height: size, epsilon: EPSILON };
+    const grid = new directed.DirectedLocus(from, to, options);
+    try {
+      return await fillLocus(context, COARSE, (r0, r1, stride) => grid.run(r0, r1, stride));
+    } finally {
+      grid.free();
+    }
+  },
   match: (_context: Context, { from, to }: Pick<Way, "from" | "to">): DirectedMatch =>
     directed.matchDirected(from, to),
 };

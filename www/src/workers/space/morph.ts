@@ -3,7 +3,6 @@ import { uvAt } from "#geometry/path";
 import type {
   Connectedness3,
   Intersection3,
-  Locus,
   MapRow3,
   MorphOptions,
   PathCheck,
@@ -11,19 +10,14 @@ import type {
   PathPoint,
 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import { BREATH, EPSILON, FINE, fillLocus, type LocusSoFar } from "../lanes/locus-fill";
 import type { Context } from "../lanes/task";
-import { EPSILON, LocusFill, SIZE, STRIDES, shareOf } from "./locus-fill";
 
 /** All that a morph hangs on besides where on it one is. */
 export interface MorphInputs {
   from: MapRow3[];
   to: MapRow3[];
   options: MorphOptions;
-}
-
-export interface LocusSoFar extends Locus {
-  /** 0 to 1. */
-  progress: number;
 }
 
 /** A path, and what was found along it. */
@@ -40,8 +34,6 @@ export interface PathTold extends PathCheck {
   ways: Told[];
 }
 
-/** Milliseconds from breath to breath. */
-const BREATH = 60;
 /**
  * Samples a side of the locus that a path is looked for in: the next only where the one before has found none that
  * holds.
@@ -54,36 +46,15 @@ const TOLD = 201;
 
 export const morphTasks = {
   /** Where a morph holds together, coarse first. */
-  async morphLocus(
-    { progress, breathe, transfer }: Context<LocusSoFar>,
-    { from, to, options }: MorphInputs,
-  ): Promise<LocusSoFar> {
-    const grid = new solid.SpaceLocus(from, to, { ...options, width: SIZE, height: SIZE, epsilon: EPSILON });
-    const fill = new LocusFill();
-    const copy = (share: number): LocusSoFar => ({
-      ...fill.locus,
-      state: fill.locus.state.slice(),
-      gap: fill.locus.gap.slice(),
-      progress: share,
+  async morphLocus(context: Context<LocusSoFar>, { from, to, options }: MorphInputs): Promise<LocusSoFar> {
+    const grid = new solid.SpaceLocus(from, to, {
+      ...options,
+      width: FINE.size,
+      height: FINE.size,
+      epsilon: EPSILON,
     });
     try {
-      let perRow = 1;
-      for (const [stage, stride] of STRIDES.entries()) {
-        for (let r0 = 0; r0 < SIZE; ) {
-          const rows = Math.max(1, Math.round(BREATH / perRow));
-          const r1 = Math.min(SIZE, r0 + rows * stride);
-          const before = performance.now();
-          fill.put(r0, r1, stride, grid.run(r0, r1, stride));
-          perRow = Math.max(0.05, (performance.now() - before) / rows);
-          r0 = r1 + ((stride - (r1 % stride)) % stride);
-          const now = copy(shareOf(stage, r0));
-          progress(now, [now.state.buffer, now.gap.buffer]);
-          await breathe();
-        }
-      }
-      const whole = copy(1);
-      transfer(whole.state.buffer, whole.gap.buffer);
-      return whole;
+      return await fillLocus(context, FINE, (r0, r1, stride) => grid.run(r0, r1, stride));
     } finally {
       grid.free();
     }

@@ -3,13 +3,14 @@ import { useEffect } from "preact/hooks";
 import { announce } from "#document/notice";
 import { changeSpace } from "#document/space/edits";
 import { choose, setMoment, setView, space, spaceReady } from "#document/space/space";
+import { HomeTicks } from "#stage/locus/HomeTicks";
 import { Legend } from "#stage/locus/Legend";
 import { LocusHead, statesIn } from "#stage/locus/LocusHead";
 import locusCss from "#stage/locus/locus.module.css";
 import type { LocusStyle } from "#stage/locus/paint";
 import { Button } from "#ui/controls/Button";
 import { solid } from "#wasm/space";
-import { EPSILON } from "#workers/space/locus-fill";
+import { EPSILON } from "#workers/lanes/locus-fill";
 import { presets } from "../shape/object/presets";
 import { startingWith, withoutMorph } from "./changes";
 import { Ends } from "./Ends";
@@ -116,35 +117,16 @@ function Last() {
 const style = signal<LocusStyle>("gap");
 const states = statesIn(locus);
 
-const TICKS = [-1, 0, 1, 2];
-
 function LocusPanel() {
   return (
     <section class="locus" aria-labelledby="locus3-title">
       <LocusHead id="locus3-title" style={style} />
       <div class={locusCss["locus-plot"]}>
-        <Ticks axis="v" />
+        <HomeTicks axis="v" />
         <Square style={style.value} />
-        <Ticks axis="u" />
+        <HomeTicks axis="u" />
       </div>
       <Legend states={states.value} epsilon={EPSILON} style={style.value} />
     </section>
-  );
-}
-
-function Ticks({ axis }: { axis: "u" | "v" }) {
-  return (
-    <div class={`${locusCss["locus-ticks"]} ${axis}`} aria-hidden="true">
-      {TICKS.map((x) => (
-        <span
-          key={x}
-          class={x === -1 ? "first" : x === 2 ? "last" : ""}
-          style={{ "--at": `${(100 * (x + 1)) / 3}%` }}
-        >
-          <b>{String(x).replace("-", "−")}</b>
-        </span>
-      ))}
-      <em>{axis}</em>
-    </div>
   );
 }

@@ -7,7 +7,7 @@ import { Field } from "#stage/locus/Field";
 import { LocusProgress } from "#stage/locus/LocusProgress";
 import type { LocusStyle } from "#stage/locus/paint";
 import { focusHandle } from "#stage/locus/WayPoints";
-import { EPSILON } from "#workers/space/locus-fill";
+import { EPSILON } from "#workers/lanes/locus-fill";
 import { Current, Way } from "./handles";
 import { addAt, goTo, pick, place, way } from "./way";
 import { check, locus, locusProblem, morph, pathless, pathPoints } from "./work";

@@ -9,8 +9,9 @@ import { pointsOf, thinned, type Uv, uvAt } from "#geometry/path";
 import type { Connectedness3, MapRow3, PathPoint, SpaceMorph } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { InTurn, isStopped, Latest } from "#workers/lanes/latest";
+import type { LocusSoFar } from "#workers/lanes/locus-fill";
 import { spaceTask } from "#workers/space/client";
-import type { LocusSoFar, MorphInputs, PathFound, PathTold } from "#workers/space/morph";
+import type { MorphInputs, PathFound, PathTold } from "#workers/space/morph";
 import { MOST_POINTS, optionsOf, withPath } from "./changes";
 
 export const morph: ReadonlySignal<SpaceMorph | null> = computed(() => space.value?.morph ?? null);
