@@ -50,6 +50,23 @@ test("a link of two of them opens with what is proved of the way and of each sta
   expect((await studio.scene()).directed?.a.preset).toBe("snowflake");
 });
 
+test("where they hold together on the way is drawn, and a press on it goes to the moment", async ({
+  studio,
+  page,
+}) => {
+  await studio.open(LINK);
+  const map = page.getByRole("region", { name: "Where it holds together" });
+  await map.scrollIntoViewIfNeeded();
+  await expect(map.getByRole("list", { name: "Legend" })).toContainText("in pieces");
+  const square = map.locator(".locus-square");
+  const { width, height } = (await square.boundingBox()) ?? { width: 0, height: 0 };
+  // (1, 1) in a map from -1 to 2.
+  await square.click({ position: { x: (2 / 3) * width, y: height / 3 } });
+  await expect(page.getByRole("spinbutton", { name: "Time in percent" })).toHaveValue("100");
+  await square.click({ position: { x: width / 2, y: height / 2 } });
+  await expect(page.getByRole("spinbutton", { name: "Time in percent" })).toHaveValue("50");
+});
+
 test("a fern becomes an outline edge by edge, and its link opens it", async ({ studio, page }) => {
   await studio.open("v=1&curve-a=oak&curve-b=maple");
   await page.getByRole("button", { name: "From a fern to B" }).click();
