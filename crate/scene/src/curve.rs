@@ -81,8 +81,8 @@ pub struct CurveShape {
     /// The curve. A link with a `spline` leaves it without knots.
     pub curve: Curve,
     /// The word of the curve of corners and parabolas ([`Spline::to_text`](frond_fit::Spline::to_text)) that it is, as
-    /// [`Spline::polygon`](frond_fit::Spline::polygon) and [`Curve::taken`] make it: what a link keeps of it. What reads
-    /// it is no part of the module for the first picture, so that this is left to those who draw it.
+    /// [`Spline::polygon`](frond_fit::Spline::polygon) and [`Curve::taken`] make it: what a link keeps of it. What
+    /// reads it is no part of the module for the first picture, so that this is left to those who draw it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spline: Option<String>,
 }

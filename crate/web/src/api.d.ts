@@ -400,8 +400,8 @@ export interface CurveShape {
   /** Without knots where a link holds a `spline`. */
   curve: Curve;
   /**
-   * The word of the curve of corners and parabolas that it is, which a link keeps in its place: what `splineCurve` makes
-   * of it, about the origin, its longer side 2.
+   * The word of the curve of corners and parabolas that it is, which a link keeps in its place: what `splineCurve`
+   * makes of it, about the origin, its longer side 2.
    */
   spline?: string;
 }

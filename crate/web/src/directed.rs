@@ -305,8 +305,8 @@ fn read_morph(
     Ok((morph.map_err(|error| failure(error.code(), &error.to_string()))?, plain))
 }
 
-/// Which state of one graph-directed system becomes which of another, and what was done to match the graphs. Neither may
-/// have more than 64 states, nor what they are matched to.
+/// Which state of one graph-directed system becomes which of another, and what was done to match the graphs. Neither
+/// may have more than 64 states, nor what they are matched to.
 #[wasm_bindgen(js_name = matchDirected, unchecked_return_type = "DirectedMatch")]
 pub fn match_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,
@@ -329,8 +329,8 @@ pub fn interpolate_directed(
     write(&PlainSystem::of(&morph.at(u, v)))
 }
 
-/// Looks for a proof that the states stay in one piece on the way from one graph-directed system to another, u = v. Of 64
-/// states at most, as for `matchDirected`.
+/// Looks for a proof that the states stay in one piece on the way from one graph-directed system to another, u = v. Of
+/// 64 states at most, as for `matchDirected`.
 #[wasm_bindgen(js_name = certifyDirected, unchecked_return_type = "DirectedCertificate")]
 pub fn certify_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,

@@ -13,8 +13,8 @@ use crate::ifs::system::Ifs;
 use crate::linear::affine::Affine2;
 use crate::linear::transform::TransformError;
 
-/// A graph-directed iterated function system of the plane: states, each a union of 1 to 64 copies of states. Made by hand
-/// ([`DirectedIfs::new`]) there are 1 to 64 of them, found by a search ([`DirectedIfs::found`]) up to 1024.
+/// A graph-directed iterated function system of the plane: states, each a union of 1 to 64 copies of states. Made by
+/// hand ([`DirectedIfs::new`]) there are 1 to 64 of them, found by a search ([`DirectedIfs::found`]) up to 1024.
 ///
 /// State i stands for a compact set `K_i`, and these are the only ones with
 ///

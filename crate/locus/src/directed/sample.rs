@@ -20,8 +20,8 @@ const BUDGET_PER_MAP: usize = 200;
 const PROOFS_PER_UNIT: f64 = 4.0;
 
 /// Decides every `stride`th sample of the rows of a range that are a multiple of it: where, over (u, v), the shape of a
-/// morph between graph-directed systems, its first state, is in one piece. `epsilon` is relative to the diameter of each
-/// state.
+/// morph between graph-directed systems, its first state, is in one piece. `epsilon` is relative to the diameter of
+/// each state.
 ///
 /// It is [`directed_connectedness`] of that state alone, which looks no further than that takes, with a smaller budget;
 /// what is `Connected` may be told as `Touching`. Burch & Hart (1997, section 5) draw such a map for systems of one

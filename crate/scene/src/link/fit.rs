@@ -12,8 +12,8 @@
 //! The word of a curve is [`ClosedCurve::to_text`], that of a spline
 //! [`Spline::to_text`](frond_fit::Spline::to_text); a piece of a graph is a, b, c, d, e and its domain. A curve that
 //! was taken from the fit of the same link, or is that of the other end, is not written twice: `fitted`, `spline` and
-//! `curve-a` stand for it. Whether the words of a spline and of a curve of the plane are some is left to those who draw them:
-//! what that takes is no part of the module for the first picture.
+//! `curve-a` stand for it. Whether the words of a spline and of a curve of the plane are some is left to those who draw
+//! them: what that takes is no part of the module for the first picture.
 
 use std::fmt::Write as _;
 

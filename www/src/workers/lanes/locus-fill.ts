@@ -21,7 +21,7 @@ export const EPSILON = 1 / 600;
 export interface LocusSoFar extends Locus {
   /** 0 to 1. */
   progress: number;
-  /** The stride of the samples that are seen everywhere; once all is done, it is 1, or finer ones would take too long. */
+  /** The stride of the samples that are seen everywhere. At the end it is 1, or finer ones would take too long. */
   stride: number;
 }
 
