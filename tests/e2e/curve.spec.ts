@@ -74,7 +74,7 @@ test("a curve for one end makes both ends curves, in one step, and a system brin
         /^Maple.* was put away: an outline morphs only with an outline\. A is Gasket for now\.$/,
       ),
     );
-  await expect(card(page, "B")).toHaveAccessibleName(/^Shape B: Gasket, 3 maps/);
+  await expect(card(page, "B")).toHaveAccessibleName(/^Shape B: Gasket, 3 copies/);
   expect((await studio.scene()).curves).toBeUndefined();
   expect((await studio.scene()).b.preset).toBe("gasket");
 });

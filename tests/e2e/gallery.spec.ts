@@ -37,7 +37,7 @@ test("the gallery has its shapes, chosen with the mouse and with the keyboard", 
       .getByRole("button", { name: /^Twin-dragon/ })
       .click();
     await expect(page.getByRole("dialog")).toHaveCount(0);
-    await expect(card).toHaveAccessibleName(/^Shape A: Twin-dragon, 2 maps/);
+    await expect(card).toHaveAccessibleName(/^Shape A: Twin-dragon, 2 copies/);
     await expect(card).toBeFocused();
     expect((await studio.scene()).a.preset).toBe("twindragon");
     expect((await studio.look()).hash).not.toBe(before.hash);

@@ -19,7 +19,7 @@ test("a first visit sees all of the way once and is told what it is", async ({ p
   await visitFirst(page);
   const welcome = page.getByRole("complementary", { name: "Welcome" });
   await expect(welcome).toContainText("Frond turns one fractal into another without letting it fall apart.");
-  await expect(welcome.getByRole("status")).toHaveText("See how Dragon of three turns into Gasket.");
+  await expect(welcome.getByRole("status")).toHaveText("Each colour is a smaller copy of the whole.");
   const top = () => page.locator(".stage").evaluate((stage) => stage.getBoundingClientRect().top);
   const before = await top();
   await expect.poll(() => t(page), { timeout: 30_000 }).toBe(1);

@@ -192,7 +192,7 @@ test("a slice off the path says so, and can be cut through the picture", async (
 test("the set M, beside what is proved of it", async ({ studio, page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   await studio.open("a=dragon-3&b=gasket&path=straight");
-  await page.getByRole("radio", { name: "Set M" }).check();
+  await page.getByRole("radio", { name: "Pairs (M)" }).check();
   await studio.idle();
   expect((await studio.scene()).locus).toMatchObject({ family: "polygon", sides: 2, zoom: 1 });
   const whole = await painted(page);

@@ -22,7 +22,7 @@ test("maps are changed by hand, by numbers and by keys, and their number, too", 
     expect(a.maps[0]?.slice(4)).toEqual([expect.closeTo(0), expect.closeTo(0)]);
     expect(a.maps.slice(1)).toEqual(maps.slice(1));
     expect((await studio.look()).hash).not.toBe(before.hash);
-    await expect(page.getByRole("button", { name: /^Shape A: Gasket, 3 maps, edited/ })).toBeVisible();
+    await expect(page.getByRole("button", { name: /^Shape A: Gasket, 3 copies, edited/ })).toBeVisible();
 
     await page.getByRole("button", { name: "Undo", exact: true }).click();
     expect((await studio.scene()).a).toMatchObject({ preset: "gasket", maps });

@@ -27,9 +27,9 @@ export function Readout() {
       {!selection.value && tool.value === "morph" && (
         <span class="readout-uv">
           {standIn.value
-            ? `s ${scene.value.t.toFixed(2)}`
+            ? `${(100 * scene.value.t).toFixed(0)}% of the way`
             : locusView.value.family === "morph"
-              ? `u ${fixed(x)} v ${fixed(y)}`
+              ? `turn u ${fixed(x)}, move v ${fixed(y)}`
               : `s ${fixed(x)} ${y < 0 ? "−" : "+"} ${fixed(Math.abs(y))} i`}
         </span>
       )}

@@ -60,5 +60,5 @@ function seenWords(): string {
   if (rested.value) return `It is ${b.name} now. Press play to see it again.`;
   return reducedMotion.value
     ? `Press play: ${a.name} turns into ${b.name}.`
-    : `See how ${a.name} turns into ${b.name}.`;
+    : "Each colour is a smaller copy of the whole.";
 }

@@ -34,7 +34,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "The map says why",
-    text: "Every point of it is a shape between A and B: in one piece where it is pale, and in pieces where it is dark. The straight way leads through the dark.",
+    text: "Every point of it is a shape between A and B: in one piece where it is pale, and in pieces where it is dark. The straight line from A to B leads through the dark.",
     target: ".locus-square",
   },
   {

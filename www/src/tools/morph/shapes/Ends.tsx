@@ -31,7 +31,7 @@ export function Ends() {
 function Card({ end }: { end: End }) {
   const { name, maps, preset } = shapes[end].value;
   const editing = selection.value?.target === end;
-  const count = `${maps.length} ${maps.length === 1 ? "map" : "maps"}`;
+  const count = `${maps.length} ${maps.length === 1 ? "copy" : "copies"}`;
   const edited = preset === undefined;
   return (
     <EndCard

@@ -18,13 +18,14 @@ export function Planes() {
           { value: "morph", label: "This morph", description: "All that the two shapes can become" },
           {
             value: "m",
-            label: "Set M",
-            description: "Two copies of the shape, turned and shrunk by s: {s z − 1, s z + 1}",
+            label: "Pairs (M)",
+            description:
+              "The set M: shapes of two copies of themselves, turned and shrunk by s: {s z − 1, s z + 1}",
           },
           {
             value: "polygon",
             label: "Polygons",
-            description: "Copies at the corners of a polygon, all turned and shrunk by s",
+            description: "Shapes of copies at the corners of a polygon, all turned and shrunk by s",
           },
         ]}
         onChange={(next) => {

@@ -7,6 +7,9 @@ import { family, shownWindow } from "./view";
 /** What the axes are called. */
 export const NAMES = { morph: { u: "u", v: "v" }, polygon: { u: "Re s", v: "Im s" } };
 
+/** The same beside what they do. */
+const WORDS = { morph: { u: "turn u", v: "move v" }, polygon: NAMES.polygon };
+
 /** What is told along one side. */
 export function axisOf(axis: "u" | "v") {
   const { u0, u1, v0, v1 } = shownWindow.value;
@@ -21,6 +24,8 @@ const signed = (n: number) => (n > 0 ? `+${n}` : `${n}`.replace("-", "−"));
 export function Ticks({ axis }: { axis: "u" | "v" }) {
   const { low, high, at, digits, origin } = axisOf(axis);
   const part = (x: number) => `${(100 * (x - low)) / (high - low)}%`;
+  // Between two numbers near the middle.
+  const near = at.length >> 1;
   return (
     <div class={`${locusCss["locus-ticks"]} ${axis}`} aria-hidden="true">
       {at.map((x) => (
@@ -32,7 +37,11 @@ export function Ticks({ axis }: { axis: "u" | "v" }) {
           <b>{origin ? signed(countOf(x, origin)) : fixed(x, digits)}</b>
         </span>
       ))}
-      {!origin && <em>{NAMES[family.value][axis]}</em>}
+      {!origin && (
+        <em style={{ "--at": part(((at[near - 1] ?? low) + (at[near] ?? high)) / 2) }}>
+          {WORDS[family.value][axis]}
+        </em>
+      )}
     </div>
   );
 }
