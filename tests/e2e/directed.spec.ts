@@ -72,7 +72,7 @@ test("a fern becomes an outline edge by edge, and its link opens it", async ({ s
   await page.getByRole("button", { name: "From a fern to B" }).click();
   await expect(page.getByRole("button", { name: /^Shape A: / })).toHaveAccessibleName(/^Shape A: Frond/);
   await expect(page.getByRole("button", { name: /^Shape B: / })).toHaveAccessibleName(/states/);
-  await expect(page.getByText(/parted into \d+ steps/)).toBeVisible();
+  await expect(page.getByText(/parted into \d+ stretches/)).toBeVisible();
   await expect(page.getByText(/in one piece at every moment of the way, proved/)).toBeVisible();
   const fern = await studio.look();
   await page.getByRole("spinbutton", { name: "Time in percent" }).fill("100");

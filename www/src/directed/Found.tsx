@@ -53,7 +53,10 @@ export function Way({ match, proof, apart = null, ended = false }: WayProps) {
         <p key={step}>{step}</p>
       ))}
       {match && match.states.length > 1 && (
-        <p>On the way it has {match.states.length} states, each a pair of those at its ends.</p>
+        <p>
+          On the way it has {match.states.length} states of its own, each made of one from either end: the
+          ends may have more or fewer.
+        </p>
       )}
       {match && <p role="status">{wayWords({ proof, apart, ended })}</p>}
     </>

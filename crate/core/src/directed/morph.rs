@@ -94,8 +94,8 @@ impl DirectedMorph {
             states: around.outline.iter().map(pair).collect(),
             morph: between(first, last, mode)?,
             steps: vec![format!(
-                "The way around the {plant} shape, up and down its leaves, was parted into {} steps: each is an edge \
-                 of the {outline}.",
+                "The way around the {plant} shape, up and down its leaves, was parted into {} stretches: each becomes \
+                 an edge of the {outline} shape.",
                 around.steps
             )],
         })
