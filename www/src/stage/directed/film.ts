@@ -5,7 +5,7 @@ import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES, namesOf } from "#compute/strip";
 import { directedWay } from "#document/directed/directed";
 import { fitFor, pathTrack } from "#document/framing";
 import { scene } from "#document/scene";
-import { RESOLUTION } from "#format/verdict";
+import { RESOLUTION, type Told } from "#format/verdict";
 import type { Track } from "#geometry/boxes";
 import { boxAt } from "#geometry/boxes";
 import type { RenderStyle } from "#wasm/core";
@@ -13,9 +13,8 @@ import { toError } from "#wasm/error";
 import { directedTask } from "#workers/directed/client";
 import type { Way } from "#workers/directed/moment";
 import { stageStyle } from "../picture-style";
-import { wayFacts } from "./known";
+import { NONE, toldAlways, wayFacts } from "./known";
 import { directedLook } from "./options";
-import { toldOf } from "./told";
 
 const SETTLE_MS = 150;
 /** CSS pixels. */
@@ -25,51 +24,59 @@ const film = publish.standInFilm;
 /** Keeps the film up to date. Returns the end of it. */
 export function watchFilm(): () => void {
   let shapes = "";
-  const stop = effect(() => {
-    const way = directedWay.value;
-    const track = pathTrack.value;
-    const style = stageStyle.value;
-    if (!way) return;
-    const kept = untracked(() => film.value);
-    const before = shapes;
-    shapes = namesOf(scene.peek());
-    film.value = Array.from({ length: FRAMES }, (_, i) => {
-      const now = { t: i / (FRAMES - 1), verdict: null, bitmap: kept[i]?.bitmap ?? null, stale: true };
-      return outdated(now, shapes !== before);
-    });
-    const end = new AbortController();
-    const timer = setTimeout(() => void make(way, track, style, end.signal), SETTLE_MS);
-    return () => {
-      clearTimeout(timer);
-      end.abort();
-    };
-  });
-  // What is proved of all of the way holds at each of these moments.
-  const prove = effect(() => {
-    const facts = wayFacts.value;
-    if (facts?.proof) film.value = untracked(() => film.value).map((frame) => proved(frame, facts.way));
-  });
+  let last: Way | null = null;
+  const stops = [
+    effect(() => {
+      const way = directedWay.value;
+      const track = pathTrack.value;
+      const style = stageStyle.value;
+      if (!way) return;
+      const kept = untracked(() => film.value);
+      const before = shapes;
+      shapes = namesOf(scene.peek());
+      const coloured = last === way;
+      last = way;
+      film.value = Array.from({ length: FRAMES }, (_, i) => {
+        const now = { t: i / (FRAMES - 1), verdict: null, bitmap: null, ...kept[i], stale: true };
+        return outdated(now, shapes !== before, coloured);
+      });
+      return soon((signal) => draw(way, track, style, signal));
+    }),
+    // What is seen and what is known have workers of their own.
+    effect(() => {
+      const way = directedWay.value;
+      return way ? soon((signal) => judge(way, signal)) : undefined;
+    }),
+    effect(() => {
+      const verdict = toldAlways.value;
+      if (verdict) untracked(() => change((frame) => ({ ...frame, verdict })));
+    }),
+  ];
   return () => {
-    stop();
-    prove();
+    for (const stop of stops) stop();
     film.value = [];
   };
 }
 
-/** A frame with what the proof of its way says of it, where there is one. */
-function proved(frame: Frame, way: Way): Frame {
-  const facts = wayFacts.peek();
-  if (!frame.verdict || !facts) return frame;
-  const [verdict = null] = toldOf([frame.verdict], { ...way, t: frame.t }, facts.way, facts.proof);
-  return { ...frame, verdict };
+/** Begins when there is rest. Returns the end of it. */
+function soon(begin: (signal: AbortSignal) => Promise<void>): () => void {
+  const end = new AbortController();
+  const timer = setTimeout(() => void begin(end.signal), SETTLE_MS);
+  return () => {
+    clearTimeout(timer);
+    end.abort();
+  };
 }
 
-/** One after the other: first what is seen, then what is known. */
-async function make(way: Way, track: Track, style: RenderStyle, signal: AbortSignal): Promise<void> {
-  const put = (t: number, change: Partial<Frame>) => {
-    if (signal.aborted) return;
-    film.value = film.peek().map((frame) => (frame.t === t ? { ...frame, ...change } : frame));
-  };
+const change = (to: (frame: Frame) => Frame) => {
+  film.value = film.peek().map(to);
+};
+
+const put = (t: number, part: Partial<Frame>) => {
+  change((frame) => (frame.t === t ? { ...frame, ...part } : frame));
+};
+
+async function draw(way: Way, track: Track, style: RenderStyle, signal: AbortSignal): Promise<void> {
   const moments = film.peek().map(({ t }) => t);
   const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
   const size = { width: Math.round(FRAME_WIDTH * ratio), height: Math.round(FRAME_HEIGHT * ratio) };
@@ -84,15 +91,37 @@ async function make(way: Way, track: Track, style: RenderStyle, signal: AbortSig
     if (signal.aborted) return;
     put(t, { bitmap, stale: false });
   }
+}
+
+/** Wide gaps are found in a tenth of the time that it takes to know of narrow ones. */
+const ROUGH = 1 / 100;
+
+/** First, of every moment, whether a look that takes little time tells; then all that is known. */
+export async function judge(way: Way, signal: AbortSignal): Promise<void> {
+  const moments = film.peek().map(({ t }) => t);
   for (const t of moments) {
-    const asked = { moment: { ...way, t }, epsilon: RESOLUTION };
-    try {
-      const [verdict = null] = (await directedTask("known", asked, { lane: 1, signal })).states;
-      put(t, { verdict: proved({ t, verdict, bitmap: null, stale: false }, way).verdict });
-    } catch (problem) {
-      if (signal.aborted) return;
-      if (toError(problem).code !== "no-attractor") continue;
-      put(t, { verdict: { verdict: "no-attractor", gap: { lower: 0, upper: 0 }, diameter: 0 } });
-    }
+    const verdict = await judged(way, t, ROUGH, signal);
+    if (signal.aborted) return;
+    // What only comes near to being whole at this fineness is not told.
+    if (verdict && verdict.verdict !== "touching" && verdict.verdict !== "undecided") put(t, { verdict });
+  }
+  const open = new Set(film.peek().flatMap(({ t, verdict }) => (verdict ? [] : [t])));
+  for (const t of [...open, ...moments.filter((t) => !open.has(t))]) {
+    const verdict = await judged(way, t, RESOLUTION, signal);
+    if (signal.aborted) return;
+    // A gap that was found stays, where there is not the time to find it anew.
+    if (verdict && (verdict.verdict !== "undecided" || open.has(t))) put(t, { verdict });
+  }
+}
+
+/** What is known of a moment; null where it cannot be had. */
+async function judged(way: Way, t: number, epsilon: number, signal: AbortSignal): Promise<Told | null> {
+  if (wayFacts.peek()?.way === way && toldAlways.peek()) return toldAlways.peek();
+  try {
+    const task = directedTask("known", { moment: { ...way, t }, epsilon }, { lane: 1, signal });
+    return (await task).states[0] ?? null;
+  } catch (problem) {
+    const { code } = toError(problem);
+    return signal.aborted || code !== "no-attractor" ? null : NONE;
   }
 }

@@ -34,7 +34,10 @@ export const isStale: ReadonlySignal<boolean> = computed(
   () => known.value === null || known.value.moment !== directedMoment.value,
 );
 
-const NONE: Told = { verdict: "no-attractor", gap: { lower: 0, upper: 0 }, diameter: 0 };
+/** What is said where there is no attractor. */
+export const NONE: Told = { verdict: "no-attractor", gap: { lower: 0, upper: 0 }, diameter: 0 };
+
+const OPEN: Told = { verdict: "undecided", gap: { lower: 0, upper: 0 }, diameter: 1 };
 
 /** What is known of a whole way. */
 export interface WayFacts {
@@ -55,6 +58,14 @@ const found = signal<WayFacts | null>(null);
 export const wayFacts: ReadonlySignal<WayFacts | null> = computed(() =>
   found.value && found.value.way === directedWay.value ? found.value : null,
 );
+
+/** What is said of the shape at every moment of a way that is proved as it is; null where it is not. */
+export const toldAlways: ReadonlySignal<Told | null> = computed(() => {
+  const facts = wayFacts.value;
+  if (!facts) return null;
+  const [told] = toldOf([OPEN], { ...facts.way, t: 0.5 }, facts.way, facts.proof);
+  return told?.verdict === "connected" ? told : null;
+});
 
 /** What is said of each state. */
 export const toldStates: ReadonlySignal<readonly Told[]> = computed(() => {

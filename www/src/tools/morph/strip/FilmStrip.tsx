@@ -28,8 +28,12 @@ const here: ReadonlySignal<number> = computed(() => {
   return Math.max(0, away.indexOf(Math.min(...away)));
 });
 
-/** What is written on a still that does not hold, also where that is not seen. */
-const MARKS: Partial<Record<Verdict, string>> = { disconnected: "in pieces", "no-attractor": "no attractor" };
+/** What is written on a still that does not hold, also where that is not seen, and on one of which nobody knows. */
+const MARKS: Partial<Record<Verdict, string>> = {
+  disconnected: "in pieces",
+  "no-attractor": "no attractor",
+  undecided: "not decided",
+};
 
 /** Stills of the whole morph: press one to go there; those that are seen to be broken are hatched. */
 export function FilmStrip() {
