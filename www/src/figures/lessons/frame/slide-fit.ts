@@ -10,25 +10,37 @@ const LITTLE = 12;
 const scroller = (from: Element | null) => from?.closest("main") ?? null;
 const hidden = (main: Element) => main.scrollHeight - main.clientHeight;
 
-/** Makes the slide that is shown as large as it fits: for each slide anew, and when the window changes. */
+/**
+ * Makes the slide that is shown as large as it fits: for each slide anew, and when the window changes. What grows while
+ * it is shown, as by an answer, makes it smaller, and nothing makes it larger again: it would jump to and fro.
+ */
 export function useFit(bar: RefObject<Element | null>, at: number, count: number): void {
   // biome-ignore lint/correctness/useExhaustiveDependencies: each slide has a size of its own
   useLayoutEffect(() => {
     const root = document.documentElement;
-    const adjust = () => {
+    let tried = 0;
+    const shrink = () => {
       const main = scroller(bar.current);
       if (!main) return;
-      for (const size of SIZES) {
-        root.style.setProperty("--slide-size", String(size));
+      for (; tried < SIZES.length; tried++) {
+        root.style.setProperty("--slide-size", String(SIZES[tried]));
         if (hidden(main) <= 0) return;
       }
+    };
+    const adjust = () => {
+      tried = 0;
+      shrink();
     };
     adjust();
     // Charts have their size a moment later.
     const frame = requestAnimationFrame(adjust);
     addEventListener("resize", adjust);
+    const grown = new ResizeObserver(shrink);
+    const article = bar.current?.closest("article");
+    if (article) grown.observe(article);
     return () => {
       cancelAnimationFrame(frame);
+      grown.disconnect();
       removeEventListener("resize", adjust);
       root.style.removeProperty("--slide-size");
     };
