@@ -44,6 +44,18 @@ describe("parseNumber", () => {
   });
   it("takes thousands that are set apart", () => {
     expect(value("40 000")).toBe(40_000);
+    expect(value("1,234.5")).toBe(1234.5);
+    expect(value("-1.234.567,5")).toBe(-1_234_567.5);
+  });
+  it("takes the signs of other keyboards, e, logarithms and sizes", () => {
+    expect(value("½")).toBe(0.5);
+    expect(value("-3 ½")).toBe(-3.5);
+    expect(value("2 ⅓ * 3")).toBeCloseTo(7, 15);
+    expect(value("2**3 ÷ 4")).toBe(2);
+    expect(value("1:4")).toBe(0.25);
+    expect(value("2e")).toBe(2 * Math.E);
+    expect(value("log2 8 - log10(100)")).toBe(1);
+    expect(value("abs(1 - 3)")).toBe(2);
   });
   it("takes the unit of its field with the number, and degrees of an angle as they are", () => {
     const at = (text: string, unit: string) => {
@@ -53,8 +65,14 @@ describe("parseNumber", () => {
     expect(at("30°", "°")).toBe(30);
     expect(at("360/7 deg", "°")).toBeCloseTo(360 / 7, 12);
     expect(at("90 cos 60°", "°")).toBeCloseTo(45, 12);
+    expect(at("pi/6 rad", "°")).toBeCloseTo(30, 12);
+    expect(at("-1/4 turn", "°")).toBeCloseTo(-90, 12);
+    expect(at("1/4 turn", "")).toBeCloseTo(Math.PI / 2, 15);
     expect(at("2×", "×")).toBe(2);
     expect(at("50%", "%")).toBe(50);
+  });
+  it("asks of which base a logarithm is", () => {
+    expect(parseNumber("log 4")).toEqual({ ok: false, message: expect.stringMatching(/base/) });
   });
   it("says which word it does not know", () => {
     const parsed = parseNumber("2 foo");

@@ -6,7 +6,7 @@ const HINT = "Type a number such as 0.5, 1/3 or √3/2.";
 /** No formula for one number is longer; so neither is the way into its brackets. */
 const LONGEST = 200;
 
-const CONSTANTS: Readonly<Record<string, number>> = { pi: Math.PI, π: Math.PI };
+const CONSTANTS: Readonly<Record<string, number>> = { pi: Math.PI, π: Math.PI, e: Math.E };
 const FUNCTIONS: Readonly<Record<string, (x: number) => number>> = {
   sqrt: Math.sqrt,
   "√": Math.sqrt,
@@ -19,6 +19,9 @@ const FUNCTIONS: Readonly<Record<string, (x: number) => number>> = {
   atan: Math.atan,
   exp: Math.exp,
   ln: Math.log,
+  log2: Math.log2,
+  log10: Math.log10,
+  abs: Math.abs,
 };
 /** What may stand behind a value. */
 const DEGREES = Math.PI / 180;
@@ -30,9 +33,10 @@ const SUFFIXES: Readonly<Record<string, (x: number) => number>> = {
   "³": (x) => x ** 3,
 };
 
-/** A number (its thousands may be set apart by spaces), a word, or a sign. */
-const TOKEN =
-  /\s*(?:((?:\d{1,3}(?:[ \u00a0\u202f]\d{3})+(?!\d)|\d+)(?:\.\d*)?(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?)|([a-zπ]+)|([-+*/^()√°²³]))\s*/iy;
+/** Its thousands may be set apart by spaces. */
+const NUMBER = /(?:\d{1,3}(?:[ \u00a0\u202f]\d{3})+(?!\d)|\d+)(?:\.\d*)?(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?/;
+/** A number, a word, or a sign. */
+const TOKEN = new RegExp(`\\s*(?:(${NUMBER.source})|(log10|log2|[a-zπ]+)|([-+*/^()√°²³]))\\s*`, "iy");
 
 class Refusal extends Error {}
 
@@ -128,14 +132,30 @@ function unexpected(token: number | string): Refusal {
   if (token === ")") return new Refusal("A bracket is closed that was not open.");
   if (typeof token === "string" && /^[a-z]/.test(token) && !Object.hasOwn(SUFFIXES, token))
     return new Refusal(
-      `A number cannot have “${token}” in it. Known are sqrt, sin, cos, tan, exp, ln and pi.`,
+      token === "log"
+        ? "Of which base? Write ln, log2 or log10."
+        : `A number cannot have “${token}” in it. Known are sqrt, sin, cos, tan, exp, ln, abs, pi and e.`,
     );
   return new Refusal(HINT);
 }
 
+/** Fractions that are one sign; with a whole number before them they are added to it. */
+const FRACTION = /(\d*)\s*([¼½¾⅐-⅞])/g;
+const fraction = (_: string, whole: string, sign: string) =>
+  `(${whole === "" ? "" : `${whole}+`}${sign.normalize("NFKC").replace("⁄", "/")})`;
+
 /** Words and signs that mean the same. */
 function plain(input: string): string {
-  const text = input.trim().replace(/[−–]/g, "-").replace(/[×·]/g, "*");
+  const text = input
+    .trim()
+    .replace(/[−–]/g, "-")
+    .replace(/\*\*/g, "^")
+    .replace(/[×·⋅∙]/g, "*")
+    .replace(/[÷:⁄∕]/g, "/")
+    .replace(FRACTION, fraction);
+  // Where there are both, the last of comma and point is the decimal one, and the others set thousands apart.
+  if (/^-?\d{1,3}(?:,\d{3})+\.\d+$/.test(text)) return text.replaceAll(",", "");
+  if (/^-?\d{1,3}(?:\.\d{3})+,\d+$/.test(text)) return text.replaceAll(".", "").replace(",", ".");
   // A single comma between digits is a decimal comma; anything else with commas is not a number.
   return /^[^,]*\d,\d[^,]*$/.test(text) ? text.replace(",", ".") : text;
 }
@@ -143,6 +163,12 @@ function plain(input: string): string {
 /** The field says its unit already. An angle within a formula, as in 90 cos 60°, keeps its own. */
 function withoutUnit(input: string, unit: string | undefined): string {
   const text = input.trim();
+  // All of it may be told in another unit: 1/4 turn.
+  const [, all, other = ""] = /^((?:[^a-z√°]|pi)+)(rad|turn)s?$/i.exec(text) ?? [];
+  if (all !== undefined) {
+    const angle = other.toLowerCase() === "turn" ? `(${all})*2pi` : `(${all})`;
+    return unit === "°" ? `${angle}/1°` : angle;
+  }
   if (unit === undefined || unit === "") return text;
   if (unit === "°") return text.replace(/^([^a-z√°]*)(?:°|deg)$/i, "$1");
   return text.endsWith(unit) ? text.slice(0, -unit.length) : text;
@@ -150,8 +176,8 @@ function withoutUnit(input: string, unit: string | undefined): string {
 
 /**
  * Reads a number or a formula: `-.5`, `1/3`, `2√3/4`, `(1 + sqrt 5)/2`, `cos 30°`, `1e-3`, `0,25`, `50%`. Angles are
- * radians unless it says degrees; in a field whose `unit` is degrees a bare number is degrees. A per cent sign stands
- * at the end, and is of all. The result is finite or it is a message that says what to type.
+ * radians unless it says degrees or turns; in a field whose `unit` is degrees a bare number is degrees. A per cent sign
+ * stands at the end, and is of all. The result is finite or it is a message that says what to type.
  */
 export function parseNumber(input: string, unit?: string): Parsed {
   if (input.length > LONGEST) return { ok: false, message: `${HINT} This is too long.` };
