@@ -42,6 +42,7 @@ function sentWords() {
         </strong>
       )}{" "}
       Made with Frond, a studio for shapes made of smaller copies of themselves.
+      {turns && reducedMotion.value && " Press play to see it move."}
     </>
   );
 }

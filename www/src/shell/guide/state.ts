@@ -1,5 +1,6 @@
 /** What is shown of the guide. */
 import { signal } from "@preact/signals";
+import { notify } from "#document/notice";
 import { openTool } from "#document/tool";
 import { help } from "#ui/commands";
 import { keepSeen, seen } from "./seen";
@@ -12,11 +13,17 @@ export const rested = signal(false);
 /** The step of the round that one is at; null where there is none. */
 export const at = signal<number | null>(null);
 
+/** What was sent, while the round shows something else. */
+let sent = "";
+
 /** Begins the round, or goes on where it was left. */
 export function goRound(): void {
   const left = seen(STEPS.length);
   // Its steps are about what Frond begins with; what was sent is one step back.
-  if (greeting.peek() === "sent") location.hash = "";
+  if (greeting.peek() === "sent") {
+    sent = location.hash;
+    location.hash = "";
+  }
   greeting.value = null;
   help.value = false;
   openTool("morph");
@@ -31,6 +38,18 @@ export function goTo(step: number): void {
 /** The round is over, for now or for good. */
 export function leave(step: number): void {
   at.value = null;
+  if (sent !== "" && location.hash !== sent) {
+    const back = sent;
+    const run = () => {
+      location.hash = back;
+    };
+    notify({
+      kind: "info",
+      text: "The round is over.",
+      action: { label: "Back to what you were sent", run },
+    });
+  }
+  sent = "";
   keepSeen(step > 0 && step < STEPS.length - 1 ? step : "seen");
 }
 

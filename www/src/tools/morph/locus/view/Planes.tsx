@@ -19,13 +19,12 @@ export function Planes() {
           {
             value: "m",
             label: "Pairs (M)",
-            description:
-              "The set M: shapes of two copies of themselves, turned and shrunk by s: {s z − 1, s z + 1}",
+            description: "Shapes of two copies, turned and shrunk by s: {s z − 1, s z + 1}",
           },
           {
             value: "polygon",
             label: "Polygons",
-            description: "Shapes of copies at the corners of a polygon, all turned and shrunk by s",
+            description: "Copies at the corners of a polygon, all turned and shrunk by s",
           },
         ]}
         onChange={(next) => {
