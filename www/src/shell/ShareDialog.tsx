@@ -104,6 +104,12 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
           </>
         )}
         <QrCode address={address} />
+        {"share" in navigator && (
+          <div class={css["share-more"]}>
+            <Button onClick={() => void send(address)}>Send …</Button>
+          </div>
+        )}
+        <p class="hint">For a web page of your own:</p>
         <div class={css["share-more"]}>
           <Button
             icon="copy"
@@ -132,7 +138,6 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
           <a class="button" href="./elsewhere.html" target="_blank" rel="noopener">
             More ways …
           </a>
-          {"share" in navigator && <Button onClick={() => void send(address)}>Send …</Button>}
         </div>
       </div>
     </Dialog>

@@ -23,6 +23,12 @@ it("finds nothing where a word stands nowhere, and all of nothing is nothing", (
   expect(idsOf("  ")).toEqual([]);
 });
 
+it("knows the words that Frond speaks in itself", () => {
+  for (const asked of ["falls apart", "fall apart"])
+    expect(idsOf(asked)).toEqual(expect.arrayContaining(["e1", "e7"]));
+  expect(idsOf("one piece")).toEqual(expect.arrayContaining(["e1", "e5", "e3", "e8"]));
+});
+
 it("finds each lesson by its title", () => {
   for (const { id, title } of LESSONS) expect(idsOf(title), title).toContain(id);
 });

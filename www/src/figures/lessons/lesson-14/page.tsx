@@ -98,7 +98,8 @@ function Spiral() {
           symbol="s"
           range={[0.5, 1.2]}
           value={scale}
-          onChange={setScale}
+          // What is read is what it is: 0.995 is not 1.
+          onChange={(next) => setScale(Number(next.toFixed(2)))}
         />
         <p aria-live="polite">{words}</p>
         <p class="number">

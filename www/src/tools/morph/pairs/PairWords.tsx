@@ -21,8 +21,10 @@ export function PairWords({ steps, flat }: PairWordsProps) {
         <>
           <p>
             {flat.length === 1 ? "Map" : "Maps"} {listWords(flat.map(String))}{" "}
-            {flat.length === 1 ? "turns over on the way, so it" : "turn over on the way, so each"} must pass
-            through a flat state.
+            {flat.length === 1
+              ? "is a mirror image at one end, so it"
+              : "are mirror images at one end, so each"}{" "}
+            turns over on the way, and is as flat as a line for a moment.
           </p>
           <Button kind="quiet" onClick={openRoutes}>
             Other ways across
