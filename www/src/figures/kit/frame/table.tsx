@@ -27,7 +27,8 @@ export function Table({ caption, columns, wide, children }: TableProps) {
       {children}
     </table>
   );
-  if (wide === undefined) return table;
+  // With words at twice their size any table may be wider than a phone.
+  if (wide === undefined) return <div class={css["box"]}>{table}</div>;
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by keys
     <section class={css["wide-table"]} aria-label={wide} tabIndex={0}>
