@@ -86,12 +86,13 @@ test("a handout asks and does not tell, and has its answers on a page of their o
   await expect(page.getByText("Exercise 2", { exact: true })).toBeVisible();
   await expect(solutions).toBeHidden();
   await paper("afterprint");
+  // Nor with what is for teachers open, as long as its answers are not.
   await page.getByText("For teachers", { exact: true }).click();
   await paper("beforeprint");
+  await expect(solutions).toBeHidden();
   await expect(page.getByTestId("truth")).toHaveCount(0);
   await expect(page.getByRole("radio", { checked: true })).toHaveCount(0);
   await expect(page.getByRole("button", { name: "A hint" }).first()).toBeHidden();
-  await expect(solutions).toBeVisible();
   // What asks for a slider has another exercise in its place.
   await expect(page.getByText(/^Choose the turn/)).toBeHidden();
   await expect(page.getByText(/^A letter is turned by some angle/)).toBeVisible();
@@ -106,6 +107,9 @@ test("a handout asks and does not tell, and has its answers on a page of their o
   await expect(solutions).toBeHidden();
   await page.getByRole("button", { name: "Show the answers" }).click();
   await expect(solutions).toBeVisible();
+  await paper("beforeprint");
+  await expect(solutions).toBeVisible();
+  await paper("afterprint");
   // What is printed is chosen, whatever the page shows.
   await page.evaluate(() => {
     window.print = () => {

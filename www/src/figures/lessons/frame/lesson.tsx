@@ -107,6 +107,8 @@ export interface QuestionProps {
   prediction: Prediction<unknown>;
   /** Whether the guess is right, where one can say so. */
   right?: boolean;
+  /** The truth where it is a number, for whoever reads the guess later. */
+  truth?: string;
   /** Whether there is something to look at beside the question; it stays in its place when the truth comes. */
   beside?: ComponentChildren;
   /** What is asked: choices or a slider, with the question as their name. */
@@ -118,12 +120,13 @@ export interface QuestionProps {
 }
 
 /** Asks for a prediction and then shows what is so. The one button keeps its place, and with it the focus. */
-export function Question({ prediction, right, beside, children, answer, after }: QuestionProps) {
+export function Question({ prediction, right, truth, beside, children, answer, after }: QuestionProps) {
   const { guess, said, shown, show, again } = prediction;
   const lesson = useContext(LessonId);
   const look = ({ currentTarget }: MouseEvent) => {
     const question = currentTarget instanceof Element ? currentTarget.closest("section") : null;
-    keepGuess(lesson, guessWords(question, guess), right);
+    const words = guessWords(question, guess);
+    keepGuess(lesson, words === "" || truth === undefined ? words : `${words} (it is ${truth})`, right);
     show();
     markDone(lesson);
   };

@@ -169,6 +169,7 @@ function Parting({ prediction, r }: PartingProps) {
   return (
     <Question
       prediction={prediction}
+      truth={fixed(TRUTH, 3)}
       beside={
         <Drawn
           maps={maps}

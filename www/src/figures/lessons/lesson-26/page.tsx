@@ -126,6 +126,7 @@ function TooLarge({ prediction }: { prediction: Prediction<number> }) {
   return (
     <Question
       prediction={prediction}
+      truth={fixed(PLANE, 4)}
       beside={
         <Plot
           label="The dimension that a dust of two pieces would have, by their size: 1 at one half, and growing."

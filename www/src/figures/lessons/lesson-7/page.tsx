@@ -129,6 +129,7 @@ function Breaking({ prediction, way, onWay }: BreakingProps) {
   return (
     <Question
       prediction={prediction}
+      {...(first === null ? {} : { truth: fixed(first) })}
       beside={<Picture maps={maps} box={box} label={`The shape at t = ${fixed(t)} of the straight way.`} />}
       answer={
         broken && (

@@ -44,10 +44,12 @@ export const calledOn = (all: readonly Answers[], item: string): string =>
 function Cell({ answer }: { answer: Answer | undefined }) {
   if (!answer) return <span class={css["open"]}>not asked</span>;
   const { item, done, exercises, guess, right, answer: words } = answer;
-  const isDone = item.includes(":") ? "done" : "question answered";
+  // Of a lesson it is said what was looked at; whether it was guessed right stands below.
+  const [isDone, isOpen] = item.includes(":") ? ["done", "not yet"] : ["question answered", "question open"];
+  const good = done && right !== false && (item.includes(":") || right === true);
   return (
     <>
-      <span class={done ? marksCss["done"] : css["open"]}>{done ? isDone : "not yet"}</span>
+      <span class={good ? marksCss["done"] : css["open"]}>{done ? isDone : isOpen}</span>
       {exercises.length > 0 && <span class={css["open"]}>, solved: {exercises.join(", ")}</span>}
       {guess !== "" && (
         <p class={css["open"]}>

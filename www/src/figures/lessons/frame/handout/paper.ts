@@ -45,9 +45,9 @@ function set(is: boolean): void {
   on.value = is;
 }
 
-/** Where nothing was chosen, answers are printed only if the page shows what is for teachers. */
+/** Where nothing was chosen, answers are printed only if the page shows them. */
 function seen(): Part {
-  return document.querySelector("article details[data-part=answers][open]") ? "all" : "copies";
+  return document.querySelector("article details[data-part=answers][data-told][open]") ? "all" : "copies";
 }
 
 const drawn = () => document.querySelectorAll("article canvas[data-complete]").length;

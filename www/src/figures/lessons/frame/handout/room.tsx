@@ -11,12 +11,17 @@ export function Squares() {
   return <div class={css["squares"]} aria-hidden="true" />;
 }
 
-/** Whose handout it is; on paper only. */
+/** Where the page is, as one would type it. */
+const address = () =>
+  `${location.host}${location.pathname}#${location.hash.slice(1).split("/", 2).join("/")}`;
+
+/** Whose handout it is, and where its page is; on paper only. */
 export function Whose() {
   return (
     <div class={css["whose"]} aria-hidden="true">
       <span>Name</span>
       <span>Date</span>
+      <span class={css["address"]}>{address()}</span>
     </div>
   );
 }
