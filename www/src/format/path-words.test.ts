@@ -19,7 +19,7 @@ describe("pathWords", () => {
   it("says what is said of a shape: whole at the resolution, or proved", () => {
     expect(pathWords({ states: along(), widest: 0 })).toBe("Looks whole at 1/600 all the way.");
     expect(pathWords({ states: along([100, connected]), widest: 0 })).toBe(
-      "In one piece, proved, all the way.",
+      "In one piece, proved, at each moment looked at.",
     );
     expect(pathWords({ states: along(), widest: 0, proved: true })).toBe(
       "In one piece, proved, all the way.",

@@ -108,7 +108,9 @@ export function pathWords({ states, widest, proved = false, progress = 1 }: Path
   if (words.length > 0) return words.join(" ");
   const whole = proved || Array.from(states).every((state) => state === STATE.connected);
   const told = toldOf(whole ? STATE.connected : STATE.touching, 0);
-  return `${placed(verdictWords(told).text, "all the way")}${so}.`;
+  // Moments are no proof of what lies between them.
+  const where = whole && !proved ? "at each moment looked at" : "all the way";
+  return `${placed(verdictWords(told).text, where)}${so}.`;
 }
 
 /** "In pieces, proved, at 50%", "Not decided at 50%" */

@@ -22,6 +22,13 @@ export function Guide() {
       }),
     [],
   );
+  useEffect(() => {
+    // So has whoever opens another tool: what is said is about this one.
+    const first = tool.peek();
+    return tool.subscribe((now) => {
+      if (now !== first && greeting.peek()) greeted();
+    });
+  }, []);
   if (route.value.page !== "studio") return null;
   return at.value !== null && tool.value === "morph" ? <Round key={at.value} number={at.value} /> : null;
 }

@@ -67,7 +67,8 @@ function PathVerdict() {
         states: pathStates.value,
         widest: widest.value ?? 0,
         proved: proof?.holds === true && proof.done === proof.parts && proof.gap === 0,
-        progress: along.value ? 1 : (locus.value?.progress ?? 0),
+        // What the map tells is not the last word: the moments of the path are looked at themselves.
+        progress: along.value ? 1 : Math.min(0.99, locus.value?.progress ?? 0),
       });
   const breaks = breaksSeen.value || breaksHidden.value;
   return (
