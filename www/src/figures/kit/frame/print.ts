@@ -4,24 +4,29 @@ import { dark, setTheme, type Theme, theme } from "#document/preferences";
 
 /** From now on, until what it gives is called. */
 export function printLight(): () => void {
-  let before: Theme | null = null;
-  const begin = () => {
-    if (!dark.peek() || before !== null) return;
-    before = theme.peek();
-    atOnce(() => setTheme("light", { keep: false }));
-  };
-  const end = () => {
-    const theme = before;
-    before = null;
-    if (theme !== null) atOnce(() => setTheme(theme, { keep: false }));
-  };
-  addEventListener("beforeprint", begin);
-  addEventListener("afterprint", end);
+  addEventListener("beforeprint", beLight);
+  addEventListener("afterprint", beAsBefore);
   return () => {
-    end();
-    removeEventListener("beforeprint", begin);
-    removeEventListener("afterprint", end);
+    beAsBefore();
+    removeEventListener("beforeprint", beLight);
+    removeEventListener("afterprint", beAsBefore);
   };
+}
+
+/** The theme to go back to. */
+let before: Theme | null = null;
+
+/** At once; a picture that a worker draws follows a moment later. */
+export function beLight(): void {
+  if (!dark.peek() || before !== null) return;
+  before = theme.peek();
+  atOnce(() => setTheme("light", { keep: false }));
+}
+
+export function beAsBefore(): void {
+  const theme = before;
+  before = null;
+  if (theme !== null) atOnce(() => setTheme(theme, { keep: false }));
 }
 
 /** The browser takes the page as it stands when the listener returns: nothing may wait for its turn. */

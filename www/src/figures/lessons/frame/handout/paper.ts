@@ -1,6 +1,6 @@
 /** A lesson on paper: nothing is guessed and nothing told, and what a teacher wants to know is on a page of its own. */
 import { signal } from "@preact/signals";
-import { atOnce } from "../../../kit/frame/print";
+import { atOnce, beAsBefore, beLight } from "../../../kit/frame/print";
 
 const on = signal(false);
 
@@ -56,6 +56,8 @@ const drawn = () => document.querySelectorAll("article canvas[data-complete]").l
 export async function printHandout(part: Part): Promise<void> {
   const before = drawn();
   chosen = part;
+  // Before it is waited for pictures, which are drawn anew for light paper.
+  beLight();
   set(true);
   for (let waited = 0; waited < DRAWN_MS; waited += LOOK_MS) {
     await new Promise((done) => setTimeout(done, LOOK_MS));
@@ -64,4 +66,5 @@ export async function printHandout(part: Part): Promise<void> {
   print();
   chosen = null;
   set(false);
+  beAsBefore();
 }
