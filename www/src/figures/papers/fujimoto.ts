@@ -72,7 +72,8 @@ export const FUJIMOTO: readonly Section[] = [
   {
     number: "6",
     title: "Conclusion and Future Work",
-    about: "Other dimensions, and shuffles that tear nothing: a sponge is bent in space.",
+    about:
+      "Other dimensions, shuffles that tear nothing, and real pictures: a sponge is bent in space, the leaf of a photograph in Fit (“Bend its photograph”).",
     also: ["d53"],
     tools: ["deform", "space"],
   },
