@@ -20,4 +20,9 @@ test("what two shapes of a grid share follows keys, numbers and the choice of sh
   await expect(verdict).toContainText("They share one point.");
   await page.getByRole("combobox", { name: "First shape" }).selectOption("wide");
   await expect(verdict).toContainText("Dimension at most");
+  // What is made of several kinds of pieces opens as a shape of as many states.
+  await page.getByRole("link", { name: "Open what they share" }).click();
+  await expect(
+    page.getByRole("button", { name: /^Shape A: What two shapes share, \d+ states/ }),
+  ).toBeVisible();
 });

@@ -10,7 +10,6 @@ import { loadDirected } from "#wasm/directed";
 import { SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
-import { preset, studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
 import { pixelRatio, usePixels } from "../../kit/picture/canvas";
 import { flag, parts, text } from "../../kit/state/fields";
@@ -19,6 +18,7 @@ import { useValue } from "../../kit/workers";
 import { GRIDS, gridOf, shapeOf } from "./grids";
 import { Kinds } from "./kinds";
 import { boxOf, useMeeting } from "./meeting";
+import { openedHref } from "./opened";
 import { COLOURS, Overlay } from "./overlay";
 import css from "./page.module.css";
 import { fraction, held, MOST_OVER, ranges, rescaled, SHIFT, type Shift, shiftWords } from "./shift";
@@ -78,22 +78,12 @@ export function Page(heading: Heading) {
     if (steps.some((step) => step !== 0)) move(steps[0] ?? 0, steps[1] ?? 0);
   };
   const axes = isLine ? AXES.slice(0, 1) : AXES;
-  const attractor = found?.attractor;
+  const href = useMemo(() => found && openedHref(found), [found]);
   return (
     <Frame
       {...heading}
       own
-      {...(attractor && attractor.length > 1
-        ? {
-            studio: {
-              href: studioHref({
-                a: { name: "What two shapes share", maps: attractor },
-                b: preset("gasket"),
-              }),
-              label: "Open what they share",
-            },
-          }
-        : {})}
+      {...(href === null ? {} : { studio: { href, label: "Open what they share" } })}
       lead={
         <p>
           The paper ends by asking whether what two fractals share is a fractal again. Where the pieces of
