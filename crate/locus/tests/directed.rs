@@ -4,8 +4,8 @@ use frond_core::{
     Affine2, DirectedIfs, DirectedMap, DirectedMorph, Ifs, Mode, directed_cut, directed_dimension,
 };
 use frond_locus::{
-    Bounds, DirectedCertifyOptions, Gap, LocusGrid, Options, Scratch, State, StateConnectedness,
-    StateOnTheWay, Verdict, certify_directed, connectedness, directed_connectedness, directed_tile,
+    Bounds, DirectedCertifyOptions, Gap, LocusGrid, Options, State, StateConnectedness, StateOnTheWay,
+    Verdict, certify_directed, connectedness, directed_connectedness, directed_tile,
 };
 use frond_scene::directed_presets;
 use glam::{DMat2, DVec2};
@@ -446,7 +446,7 @@ fn the_map_of_a_morph_says_what_is_said_of_its_shape_at_each_moment() {
     ] {
         let morph = DirectedMorph::new(&preset(a), &preset(b), mode).unwrap();
         let options = Options { budget: 20_000, ..Options::default() };
-        let tile = directed_tile(&grid, &morph, options.epsilon, 0..7, 1, &mut Scratch::default());
+        let tile = directed_tile(&grid, &morph, options.epsilon, 0..7, 1);
         assert_eq!((tile.state.len(), tile.gap.len()), (49, 49));
         for (k, (&state, &gap)) in tile.state.iter().zip(&tile.gap).enumerate() {
             let at = (grid.u(k % 7), grid.v(k / 7));
@@ -483,7 +483,7 @@ fn the_map_of_a_morph_says_what_is_said_of_its_shape_at_each_moment() {
             );
         }
         // Every second row and column, of some rows.
-        let coarse = directed_tile(&grid, &morph, options.epsilon, 1..5, 2, &mut Scratch::default());
+        let coarse = directed_tile(&grid, &morph, options.epsilon, 1..5, 2);
         let of = |row: usize| (0..7).step_by(2).map(move |column| 7 * row + column);
         let expected: Vec<u8> = [2, 4].into_iter().flat_map(of).map(|k| tile.state[k]).collect();
         assert_eq!(coarse.state, expected);

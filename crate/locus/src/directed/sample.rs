@@ -2,9 +2,8 @@
 
 use std::ops::Range;
 
-use frond_core::{Affine2, DirectedError, DirectedIfs, DirectedMorph, IfsError};
+use frond_core::{DirectedError, DirectedIfs, DirectedMorph, IfsError};
 
-use crate::decide::{Scratch, decide};
 use crate::directed::connectedness::{Look, deeper};
 use crate::directed::extent::Extent;
 use crate::directed::shared_points::{Shared, closed};
@@ -35,13 +34,12 @@ pub fn directed_tile(
     epsilon: f64,
     rows: Range<usize>,
     stride: usize,
-    scratch: &mut Scratch,
 ) -> Tile {
     let stride = stride.max(1);
     let (mut state, mut gap) = (Vec::new(), Vec::new());
     for row in (rows.start..rows.end.min(grid.height())).filter(|row| row.is_multiple_of(stride)) {
         for column in (0..grid.width()).step_by(stride) {
-            let found = sample(morph, [grid.u(column), grid.v(row)], epsilon.max(0.0), scratch);
+            let found = sample(morph, [grid.u(column), grid.v(row)], epsilon.max(0.0));
             state.push(found.state as u8);
             gap.push(found.gap);
         }
@@ -49,14 +47,9 @@ pub fn directed_tile(
     Tile { state, gap }
 }
 
-fn sample(morph: &DirectedMorph, [u, v]: [f64; 2], epsilon: f64, scratch: &mut Scratch) -> Sample {
-    let states = morph.at(u, v);
-    if let [maps] = states.as_slice() {
-        let maps: Vec<Affine2> = maps.iter().map(|part| part.map).collect();
-        return decide(&maps, epsilon, LocusGrid::budget(maps.len()), scratch);
-    }
+fn sample(morph: &DirectedMorph, [u, v]: [f64; 2], epsilon: f64) -> Sample {
     let short = |x: f64| (PROOFS_PER_UNIT * x).fract() == 0.0;
-    match DirectedIfs::new(states) {
+    match DirectedIfs::new(morph.at(u, v)) {
         Ok(system) => of_shape(&system, epsilon, short(u) && short(v)),
         Err(DirectedError::Unproved | DirectedError::Ifs(IfsError::Unproved)) => {
             Sample { state: State::Undecided, gap: f32::NAN }

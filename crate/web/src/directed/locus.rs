@@ -1,7 +1,7 @@
 //! Where a morph between graph-directed systems is in one piece.
 
 use frond_core::DirectedMorph;
-use frond_locus::{LocusGrid, Scratch, directed_tile};
+use frond_locus::{LocusGrid, directed_tile};
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::grid::{read_grid, write_tile};
@@ -13,7 +13,6 @@ pub struct DirectedLocus {
     grid: LocusGrid,
     morph: DirectedMorph,
     epsilon: f64,
-    scratch: Scratch,
 }
 
 #[wasm_bindgen]
@@ -30,14 +29,13 @@ impl DirectedLocus {
     ) -> Result<Self, JsValue> {
         let (grid, epsilon) = read_grid(&options)?;
         let (morph, _) = read_morph(&from, &to, options)?;
-        Ok(Self { grid, morph, epsilon, scratch: Scratch::default() })
+        Ok(Self { grid, morph, epsilon })
     }
 
     /// Every `stride`th sample of the rows from r0 to before r1 that are a multiple of it: `{ state, gap }`, as in a
     /// `Locus`. A sample takes some milliseconds.
     #[wasm_bindgen(unchecked_return_type = "{ state: Uint8Array; gap: Float32Array }")]
-    pub fn run(&mut self, r0: usize, r1: usize, stride: usize) -> JsValue {
-        let rows = r0..r1;
-        write_tile(&directed_tile(&self.grid, &self.morph, self.epsilon, rows, stride, &mut self.scratch))
+    pub fn run(&self, r0: usize, r1: usize, stride: usize) -> JsValue {
+        write_tile(&directed_tile(&self.grid, &self.morph, self.epsilon, r0..r1, stride))
     }
 }

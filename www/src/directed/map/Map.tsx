@@ -14,7 +14,7 @@ import type { LocusStyle } from "#stage/locus/paint";
 import "#stage/locus/handles.css";
 import { EPSILON } from "#workers/lanes/locus-fill";
 import { momentNear, place } from "./place";
-import { field, problem, watchLocus } from "./work";
+import { field, inSight, problem, watchLocus } from "./work";
 
 /** How it is shown: a way of looking, no part of the document. */
 const style = signal<LocusStyle>("gap");
@@ -27,9 +27,21 @@ const LABEL =
 
 /** Where the morph of two graph-directed shapes holds together, with the straight way through it. */
 export function DirectedMap() {
-  useEffect(watchLocus, []);
+  const section = useRef<HTMLElement>(null);
+  useEffect(() => {
+    const observer = new IntersectionObserver((entries) => {
+      inSight.value = entries.at(-1)?.isIntersecting === true;
+    });
+    if (section.current) observer.observe(section.current);
+    const stop = watchLocus();
+    return () => {
+      observer.disconnect();
+      stop();
+      inSight.value = false;
+    };
+  }, []);
   return (
-    <section class="locus" aria-labelledby="directed-locus">
+    <section class="locus" ref={section} aria-labelledby="directed-locus">
       <LocusHead id="directed-locus" style={style} />
       <div class={locusCss["locus-plot"]}>
         <HomeTicks axis="v" />

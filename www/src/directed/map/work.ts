@@ -21,27 +21,36 @@ export const problem = signal<string | null>(null);
 /** While the hand still changes a shape nothing is begun. */
 const REST_MS = 150;
 
+/** Whether anybody sees the map: it is long work, which is begun for who looks, and then goes on. */
+export const inSight = signal(false);
+
 /** Keeps it up to date. Returns the end of it. */
 export function watchLocus(): () => void {
   const latest = new Latest();
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let begun: Way | null = null;
+  const end = () => {
+    clearTimeout(timer);
+    latest.stop();
+    begun = null;
+  };
   const stop = effect(() => {
     const way = directedWay.value;
-    return untracked(() => {
-      latest.stop();
+    const seen = inSight.value;
+    untracked(() => {
+      if (way !== begun) end();
+      if (!way) found.value = null;
+      const last = found.peek();
+      // It may have been whole before the panel was closed.
+      if (!way || !seen || begun === way || (last?.way === way && last.locus.progress === 1)) return;
+      begun = way;
       problem.value = null;
-      if (!way) {
-        found.value = null;
-        return undefined;
-      }
-      // It was whole before the panel was closed.
-      if (found.peek()?.way === way && found.peek()?.locus.progress === 1) return undefined;
-      const timer = setTimeout(() => void fill(way, latest.begin()), REST_MS);
-      return () => clearTimeout(timer);
+      timer = setTimeout(() => void fill(way, latest.begin()), REST_MS);
     });
   });
   return () => {
     stop();
-    latest.stop();
+    end();
   };
 }
 
