@@ -46,6 +46,7 @@ effect(() => {
     (problem) => {
       if (!isStopped(problem)) {
         notify({ kind: "error", text: `What draws several states could not be loaded: ${wordsOf(problem)}` });
+        directedBoxAt.value ??= () => null;
       }
     },
   );

@@ -1,6 +1,7 @@
 import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { directedMoment } from "#document/directed/directed";
+import { directedBoxAt } from "#document/stand-in";
 import { attachGestures } from "../gestures";
 import { watchSize } from "../picture";
 import { stageStyle } from "../picture-style";
@@ -33,7 +34,8 @@ export function DirectedPicture({ onState, onPainter }: DirectedPictureProps) {
     const stopShow = effect(() => {
       const size = device.value;
       const moment = directedMoment.value;
-      if (!moment || size.width === 0 || size.height === 0) return;
+      // Until it is known where the shape lies, what was there before is where it would be looked for: a dot at best.
+      if (!moment || !directedBoxAt.value || size.width === 0 || size.height === 0) return;
       painter.show({ ...size, moment, view: effectiveView.value, style: stageStyle.value });
     });
     const stops = [stopShow, stopSize, attachGestures(element), watchFilm(), watchKnown()];
