@@ -92,6 +92,7 @@ export function Page(heading: Heading) {
           what. The paper asks how such systems could be morphed. Here each map of a state becomes a map of
           another state, and so does what they copy; a state that is to become several is split, which changes
           no shape. A fern becomes an outline in one piece: the way around it becomes the way around the leaf.
+          Morph draws, over u and v, where the shape between two of them holds together.
         </p>
       }
       found={
