@@ -71,7 +71,7 @@ async function begin(root: HTMLElement): Promise<void> {
     );
   }
   const { play } = parameters;
-  if (play) {
+  if (play === "on" || play === "once") {
     import("./shell/moving").then(
       ({ moveBySelf }) => moveBySelf(play),
       () => undefined,

@@ -30,7 +30,7 @@ const MOVES: readonly { value: Moves; label: string; description: string }[] = [
   { value: "on", label: "Plays on", description: "Until somebody stops it" },
   { value: "still", label: "Stands still", description: "Until somebody presses play" },
 ];
-const QUERY: Record<Moves, string> = { once: "?play=once", on: "?play", still: "" };
+const QUERY: Record<Moves, string> = { once: "?play=once", on: "?play", still: "?play=still" };
 
 /** From one of the two sheets to the other, or out: a sheet that has gone already closes nothing. */
 const leave = (from: "share" | "publish", to: "share" | null) => () => {

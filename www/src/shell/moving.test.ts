@@ -22,6 +22,12 @@ it("is back after it has been at both ends, wherever it began", () => {
   }
 });
 
+it("is at the end after one way, where it is to stop there", () => {
+  const isThere = roundOf(0, 1, 1);
+  const seen = [0.2, 0.5, 0.99, 1, 0.9].map(isThere);
+  expect(seen).toEqual([false, false, false, true, true]);
+});
+
 it("is back after one turn where the end is the beginning", () => {
   const isBack = roundOf(1, 4);
   let at = 1;

@@ -11,7 +11,7 @@ export const moving = () => playing.peek() || phasePlaying.peek() || spacePlayin
 
 /**
  * Plays as soon as its tool is there; not for those who want less motion. Once is there and back, so that it ends as it
- * was sent.
+ * was sent; what was sent at its end is played up to there from the beginning.
  */
 export function moveBySelf(how: "on" | "once"): void {
   if (reducedMotion.peek()) return;
@@ -22,8 +22,8 @@ export function moveBySelf(how: "on" | "once"): void {
       stop();
       const line = tool.timeline;
       if (!line || line.length() <= 0) return;
-      line.toggle();
-      if (how === "once") untilBack(line);
+      if (how === "on") line.toggle();
+      else once(line);
     });
   });
 }
@@ -34,9 +34,9 @@ const apart = (from: number, to: number, length: number) => {
   return { far: Math.min(plain, length - plain), again: plain > length / 2 };
 };
 
-/** Whether it has been everywhere and is back where it began: pure, for the tests. */
-export function roundOf(start: number, length: number): (now: number) => boolean {
-  let [before, travelled, round] = [start, 0, 2 * length];
+/** Whether it has been everywhere and is back, or at the end where it is to stop there: pure, for the tests. */
+export function roundOf(start: number, length: number, way: 1 | 2 = 2): (now: number) => boolean {
+  let [before, travelled, round] = [start, 0, way * length];
   return (now) => {
     const { far, again } = apart(before, now, length);
     if (again) round = length;
@@ -50,9 +50,12 @@ export function roundOf(start: number, length: number): (now: number) => boolean
 /** How far from where it began it may have come to rest, as a part of all, to be put there. */
 const NEAR = 0.1;
 
-function untilBack(line: Timeline): void {
+function once(line: Timeline): void {
   const start = line.now();
-  const isBack = roundOf(start, line.length());
+  const sentAtEnd = start >= line.length();
+  if (sentAtEnd) line.seek(0);
+  line.toggle();
+  const isBack = roundOf(sentAtEnd ? 0 : start, line.length(), sentAtEnd ? 1 : 2);
   let frame = requestAnimationFrame(function look() {
     if (!moving()) return end();
     if (!isBack(line.now())) {

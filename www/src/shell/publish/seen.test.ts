@@ -34,6 +34,15 @@ it("keeps the systems where they are seen, and the fit in Fit", () => {
   expect(seenOf({ ...mine, tool: "fit" }, plain).fit).toBe(fit);
 });
 
+it("keeps how shapes of several states are mixed", () => {
+  const directed = {
+    a: { name: "two", states: [] },
+    b: { name: "more", states: [] },
+  } as unknown as Scene["directed"];
+  const seen = seenOf({ ...mine, ...(directed ? { directed } : {}) }, plain);
+  expect(seen).toEqual({ ...plain, mode: "linear", directed });
+});
+
 it("leaves out what closed curves hide", () => {
   const curves = { a: curve("leaf"), b: curve("other leaf") };
   expect(seenOf({ ...mine, curves }, plain)).toEqual({ ...plain, curves });

@@ -14,7 +14,9 @@ export function seenOf(scene: Scene, plain: Scene): Scene {
   if (space && tool === "space") seen.space = space;
   if (!curves && !directed) return locus ? { ...seen, locus } : seen;
   const { a, b, mode, path, correspondence, turns } = plain;
-  Object.assign(seen, { a, b, mode, path, correspondence, turns });
+  Object.assign(seen, { a, b, path, correspondence, turns });
+  // Shapes of several states turn or are mixed number by number, as systems are.
+  if (!directed) seen.mode = mode;
   if (curves && tool === "deform") {
     if (t === 0 && curves.b.preset === undefined) seen.curves = { a: curves.a, b: curves.a };
     if (t === 1 && curves.a.preset === undefined) seen.curves = { a: curves.b, b: curves.b };
