@@ -103,8 +103,8 @@ const WORKGROUP_SIDE: u32 = 8;
 /// at most, and a card that does not answer for seconds is taken to hang. A large card is not half busy with the
 /// former: an NVIDIA H200 takes 22 to 76 ms for 1024 x 1024 samples in commands of the former size, 10 to 23 ms in one.
 const SAMPLES_AT_ONCE: [u32; 2] = [1 << 15, 1 << 20];
-/// Milliseconds of a command that is soon done, and of one that takes too long.
-const SOON_MS: f64 = 8.0;
+/// Milliseconds of a command that is soon done, which is a frame, and of one that takes too long.
+const SOON_MS: f64 = 16.0;
 const LATE_MS: f64 = 50.0;
 /// The most samples of a job.
 const MOST_SAMPLES: usize = 1 << 24;
@@ -189,9 +189,9 @@ impl LocusGpu {
         let commands = samples.div_ceil(at_once as usize).max(1);
         let each = milliseconds / commands as f64;
         if each < SOON_MS && commands > 1 {
-            self.at_once.set((at_once * 4).min(most));
+            self.at_once.set((at_once * 2).min(most));
         } else if each > LATE_MS {
-            self.at_once.set((at_once / 4).max(least));
+            self.at_once.set((at_once / 2).max(least));
         }
     }
 
