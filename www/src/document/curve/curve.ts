@@ -1,50 +1,34 @@
 /** Closed curves: what the morph and the deformation work on in place of two systems, where the document has them. */
-import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { Box } from "#geometry/boxes";
 import type { Curve, CurveShape } from "#wasm/api";
 import { curvesReady, loadCurves, rough } from "#wasm/curve";
 import { notify, wordsOf } from "../notice";
 import { scene } from "../scene";
-import { drawable } from "./polygon";
 
 export type CurveMorph = InstanceType<typeof rough.CurveMorph>;
 
 const inDocument = computed(() => scene.value.curves ?? null);
 
+/** What draws ends of which a link holds no knots, once there are some. */
+const drawnEnds = signal<typeof import("./drawn")["drawnEnds"] | null>(null);
+
 /** The curves of the document, as they are drawn. */
 export const curves: ReadonlySignal<{ a: CurveShape; b: CurveShape } | null> = computed(() => {
   const now = inDocument.value;
-  if (!now || !curvesReady.value) return now;
-  try {
-    const [a, b] = [drawable(now.a), drawable(now.b)];
-    return a === now.a && b === now.b ? now : { a, b };
-  } catch {
-    // A word that is no curve: nothing is drawn, and the effect below says why.
-    return now;
-  }
+  return (now && curvesReady.value && drawnEnds.value?.(now)) || now;
 });
 
 /** Whether there are curves in place of systems. */
 export const curved: ReadonlySignal<boolean> = computed(() => inDocument.value !== null);
 
-// What a link says is a spline and is none is told once.
-effect(() => {
-  const now = inDocument.value;
-  if (!now || !curvesReady.value) return;
-  for (const shape of [now.a, now.b]) {
-    try {
-      drawable(shape);
-    } catch (problem) {
-      const text = `${shape.name} cannot be drawn: ${wordsOf(problem)}`;
-      untracked(() => notify({ kind: "error", text }));
-    }
-  }
-});
-
 // What draws them is loaded with the first ones.
 effect(() => {
-  if (!curved.value) return;
-  loadCurves().catch((problem) =>
+  const now = inDocument.value;
+  if (!now) return;
+  const bare = [now.a, now.b].some(({ curve }) => curve.knots.length === 0);
+  const fetched = bare && import("./drawn").then((module) => (drawnEnds.value = module.drawnEnds));
+  Promise.all([loadCurves(), fetched]).catch((problem) =>
     notify({ kind: "error", text: `Closed curves could not be loaded: ${wordsOf(problem)}` }),
   );
 });

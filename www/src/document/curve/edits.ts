@@ -5,7 +5,7 @@ import { boxAround } from "../framing";
 import { edit, scene } from "../scene";
 import { type End, withCurve } from "./changes";
 import { curveBox, curved } from "./curve";
-import { drawable, takenPolygon } from "./polygon";
+import { drawn, takenSpline } from "./drawn";
 
 let loaded: readonly CurvePreset[] | null = null;
 
@@ -26,7 +26,7 @@ function partnerOf(shape: CurveShape): CurveShape {
   return other ? shapeOf(other) : shape;
 }
 
-const around = (now: Scene) => (now.curves ? boxAround(curveBox(drawable(now.curves.a).curve)) : null);
+const around = (now: Scene) => (now.curves ? boxAround(curveBox(drawn(now.curves.a).curve)) : null);
 
 /** A curve for one end of the morph. */
 export function chooseCurve(end: End, shape: CurveShape): void {
@@ -51,7 +51,7 @@ export function fitted(): CurveShape | null {
   if (!spline) return fit?.curve ?? null;
   try {
     const { name, word } = spline;
-    return { name, curve: takenPolygon(word), spline: word };
+    return { name, curve: takenSpline(word), spline: word };
   } catch {
     return null;
   }

@@ -4,9 +4,9 @@ import type { Curve, Fit } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { curvesReady, rough } from "#wasm/curve";
 import type { KeptPhotograph } from "../kept/fits";
-import { centredBox, centringOf } from "./centred";
+import { centred, centredBox, centringOf } from "./centred";
 import { curves } from "./curve";
-import { polygonOf, takenCurve } from "./polygon";
+import { polygonOf } from "./polygon";
 
 /** A photograph, and where it lies in the plane of its curve: left, bottom, right, top. */
 export interface CurvePhotograph {
@@ -34,6 +34,9 @@ function keyOf(curve: Curve): string {
   keys.set(curve, key);
   return key;
 }
+
+/** A fit as it is taken into the morph: about the origin, and as a link holds it. */
+export const takenCurve = (curve: Curve): Curve => rough.quantised(centred(curve));
 
 /** The photograph of a fit goes along, wherever its curve goes. */
 export async function holdPhotograph(fit: Curve, { blob, box }: KeptPhotograph): Promise<CurvePhotograph> {

@@ -1,8 +1,7 @@
 /** A fit becomes a shape like any other. */
 import { effect, signal, untracked } from "@preact/signals";
 import { cutOut } from "#document/curve/cut-out";
-import { holdPhotograph } from "#document/curve/photographs";
-import { takenCurve } from "#document/curve/polygon";
+import { holdPhotograph, takenCurve } from "#document/curve/photographs";
 import { tellReplaced } from "#document/curve/replaced";
 import { bendPicture } from "#document/deform/bend-picture";
 import { fernBecomes, withOutline } from "#document/directed/outlines";
