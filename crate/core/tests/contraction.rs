@@ -37,3 +37,18 @@ fn they_do_not_serve_slower_maps_nor_lists_that_are_none() {
     }
     assert_eq!(Contraction::in_coordinates_of(&found, &[]), None);
 }
+
+#[test]
+fn other_translations_change_no_more_than_the_disc() {
+    for size in [0.5, 0.8] {
+        let maps = sheared(size);
+        let shifted: Vec<Affine2> = (0..3)
+            .map(|k| Affine2::new(maps[k].linear, maps[k].translation * 3.0 + DVec2::splat(k as f64)))
+            .collect();
+        let (found, other) = (Contraction::find(&maps).unwrap(), Contraction::find(&shifted).unwrap());
+        assert_ne!(found, other);
+        assert_eq!(found.moved(&shifted), Some(other));
+    }
+    let found = Contraction::find(&sheared(0.5)).unwrap();
+    assert_eq!(found.moved(&[Affine2::similitude(f64::NAN, 0.0, DVec2::ZERO)]), None);
+}

@@ -37,6 +37,8 @@ pub(crate) struct Frame {
     pub length: usize,
     /// All of the attractor is one point, as far as floating point can tell.
     pub point: bool,
+    /// What was found of other maps.
+    found: FoundBefore,
 }
 
 /// Below this operator norm the plane's own coordinates are good enough.
@@ -57,6 +59,7 @@ impl Default for Frame {
             factor: 0.0,
             length: 1,
             point: true,
+            found: FoundBefore::default(),
         }
     }
 }
@@ -84,7 +87,7 @@ impl Frame {
         }
         let found = match like.and_then(|like| Contraction::in_coordinates_of(like, maps)) {
             Some(found) => found,
-            None => Contraction::find(maps)?,
+            None => self.found.find(maps)?,
         };
         self.set_round(maps, &found);
         Ok(Some(found))
@@ -164,6 +167,7 @@ impl Frame {
             // That of this conjugation, and of products of maps that are longer here.
             rounding: self.rounding * aspect * aspect,
             error: self.error * aspect * aspect,
+            found: FoundBefore::default(),
             ..*self
         }
     }
@@ -218,6 +222,54 @@ impl Frame {
     /// The point of the plane that is `p` here.
     pub fn to_plane(&self, p: DVec2) -> DVec2 {
         self.origin + self.from_round * p
+    }
+}
+
+/// The coordinates of maps, by their linear parts. A column of a morph's locus has the same in all of its samples.
+#[derive(Clone, Debug, Default)]
+struct FoundBefore {
+    /// The linear parts, and what was found: `None` where it is unknown whether they contract.
+    all: Vec<(Vec<DMat2>, Option<Contraction>)>,
+    /// The one to be forgotten next.
+    oldest: usize,
+}
+
+/// As many columns as a tile has, and more.
+const MOST_REMEMBERED: usize = 128;
+
+impl FoundBefore {
+    /// [`Contraction::find`], at once for linear parts that were seen before.
+    fn find(&mut self, maps: &[Affine2]) -> Result<Contraction, IfsError> {
+        let bits = |m: DMat2| m.to_cols_array().map(f64::to_bits);
+        let is_this = |linear: &[DMat2]| {
+            linear.len() == maps.len() && linear.iter().zip(maps).all(|(&m, map)| bits(m) == bits(map.linear))
+        };
+        match self.all.iter().find(|(linear, _)| is_this(linear)) {
+            Some((_, Some(found))) => {
+                if let Some(moved) = found.moved(maps) {
+                    return Ok(moved);
+                }
+            }
+            // Other numbers have another message.
+            Some((_, None)) if maps.iter().all(|map| map.translation.abs().max_element() < 1e100) => {
+                return Err(IfsError::Unproved);
+            }
+            _ => {}
+        }
+        let found = Contraction::find(maps);
+        let known = match &found {
+            Ok(found) if found.length == 1 => Some(found.clone()),
+            Err(IfsError::Unproved) => None,
+            _ => return found,
+        };
+        let one = (maps.iter().map(|map| map.linear).collect(), known);
+        if self.all.len() < MOST_REMEMBERED {
+            self.all.push(one);
+        } else {
+            self.all[self.oldest] = one;
+            self.oldest = (self.oldest + 1) % MOST_REMEMBERED;
+        }
+        found
     }
 }
 
@@ -292,6 +344,34 @@ mod tests {
             Affine2::new(linear, DVec2::new(x, y)).conjugate(by)
         };
         (1..4).map(map).collect()
+    }
+
+    #[test]
+    fn what_was_found_before_changes_nothing() {
+        let mut frame = Frame::default();
+        let shifts = [DVec2::ZERO, DVec2::new(3.0, -1.0), DVec2::X * 1e200, DVec2::NAN, DVec2::Y];
+        let neutral = |angle: f64| Affine2::similitude(0.999_999_999_5, angle, DVec2::X);
+        let (mut coordinates, mut errors) = (0, Vec::new());
+        // More systems than are remembered, each three times.
+        for seed in (0..200).flat_map(|seed| [seed, seed, seed / 2]) {
+            let mut maps = match seed % 40 {
+                0 => vec![neutral(f64::from(seed)), neutral(1.0)],
+                _ => sheared(seed, 30.0).unwrap_or_default(),
+            };
+            for shift in shifts {
+                maps.iter_mut().for_each(|map| map.translation += shift);
+                let (fresh, found) = (Frame::default().set_like(&maps, None), frame.set_like(&maps, None));
+                coordinates += usize::from(matches!(fresh, Ok(Some(_))));
+                if let Err(error) = &fresh {
+                    errors.push(error.code());
+                }
+                assert_eq!(format!("{found:?}"), format!("{fresh:?}"), "{seed}");
+            }
+        }
+        errors.sort_unstable();
+        errors.dedup();
+        assert!(coordinates > 1000 && errors.contains(&"attractor-unproved"), "{coordinates}, {errors:?}");
+        assert!(frame.found.all.len() <= MOST_REMEMBERED);
     }
 
     #[test]

@@ -91,6 +91,14 @@ impl<D: Dimension> Contraction<D> {
         (other.length == 1 && fast).then(|| Self::with_blocks(maps, round, factor, 1))
     }
 
+    /// What [`Contraction::find`] says of maps that differ from those it was found for in their translations alone, at
+    /// once: `None` where the blocks are words, which are not kept.
+    #[must_use]
+    pub fn moved(&self, maps: &[Affine<D>]) -> Option<Self> {
+        check(maps).ok()?;
+        (self.length == 1).then(|| Self::with_blocks(maps, [self.to_round, self.from_round], self.factor, 1))
+    }
+
     fn with_blocks(
         blocks: &[Affine<D>],
         [to_round, from_round]: [D::Matrix; 2],
