@@ -224,7 +224,10 @@ fn word() -> Word {
     let spaces = space().prop_map(|text| format!("space={text}"));
     let curves = (curve(), curve()).prop_map(|(a, b)| format!("curve-a={a}&curve-b={b}"));
     // Ends that are the other one, or the fit's.
-    let taken = (curve(), curve(), 0..4_u32).prop_map(|(own, fitted, which)| match which {
+    let taken = (curve(), curve(), spline(), 0..7_u32).prop_map(|(own, fitted, word, which)| match which {
+        4 => format!("curve-a=spline:{word}&curve-b=curve-a"),
+        5 => format!("curve-a={own}&curve-b=spline:{word}"),
+        6 => format!("curve-a=spline&curve-b={own}&spline={word}"),
         0 => format!("curve-a={own}&curve-b=curve-a"),
         1 => format!("curve-a={own}&curve-b=fitted&fitted={fitted}"),
         2 => format!("curve-a=fitted&curve-b={own}&fitted={fitted}"),
@@ -282,7 +285,7 @@ fn many_of_these_links_open() {
     use proptest::strategy::ValueTree as _;
     let mut runner = proptest::test_runner::TestRunner::deterministic();
     let (mut opened, mut curves, mut graphs, mut spaces, mut bent) = (0, 0, 0, 0, 0);
-    let (mut taken, mut splines) = (0, 0);
+    let (mut taken, mut splines, mut words) = (0, 0, 0);
     for _ in 0..2000 {
         let Ok(tree) = link().new_tree(&mut runner) else { continue };
         let (scene, problem) = decode(&tree.current());
@@ -290,6 +293,7 @@ fn many_of_these_links_open() {
         opened += usize::from(problem.is_none());
         curves += usize::from(scene.curves.is_some());
         let fit = scene.fit.as_ref();
+        words += usize::from(scene.curves.as_ref().is_some_and(|ends| ends.a.spline.is_some()));
         taken += usize::from(scene.curves.is_some() && fit.is_some_and(|fit| fit.curve.is_some()));
         splines += usize::from(fit.is_some_and(|fit| fit.spline.is_some()));
         graphs += usize::from(scene.directed.is_some());
@@ -297,5 +301,5 @@ fn many_of_these_links_open() {
         bent += usize::from(scene.deform.is_some());
     }
     assert!(opened > 500 && curves > 20 && spaces > 20 && bent > 30, "{opened} {curves} {spaces} {bent}");
-    assert!(graphs > 20 && taken > 10 && splines > 20, "{graphs} {taken} {splines}");
+    assert!(graphs > 20 && taken > 10 && splines > 20 && words > 5, "{graphs} {taken} {splines} {words}");
 }
