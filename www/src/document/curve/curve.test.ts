@@ -18,16 +18,17 @@ vi.mock("#wasm/curve", async () => ({
 }));
 vi.mock("../notice", () => ({ notify, wordsOf: (problem: Error) => problem.message }));
 const { scene, edit } = await import("../scene");
-const { curves } = await import("./curve");
+const { curves, knotted } = await import("./curve");
 const { drawn, drawnEnds } = await import("./drawn");
 
 const bare: CurveShape = { name: "Leaf", curve: { knots: [], edges: [] }, spline: "AbC" };
 
-it("shapes of a link that hold a word are drawn as they were taken, and two of one word are one curve", async () => {
+it("shapes of a link that hold a word are drawn as they were taken, and two of one word are one curve", () => {
   splineCurve.mockReturnValue(square);
   edit((before) => ({ ...before, curves: { a: bare, b: { ...bare, name: "Other" } } }));
+  // Before there is what draws them.
   expect(curves.value?.a).toBe(bare);
-  await vi.waitFor(() => expect(curves.value?.a.curve.knots).toHaveLength(4));
+  knotted.value = drawnEnds;
   const now = curves.value;
   // About the origin, its longer side 2.
   expect(now?.a.curve.knots[2]).toEqual([1, 1]);

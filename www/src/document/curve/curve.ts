@@ -8,15 +8,17 @@ import { scene } from "../scene";
 
 export type CurveMorph = InstanceType<typeof rough.CurveMorph>;
 
+type Ends = { a: CurveShape; b: CurveShape };
+
 const inDocument = computed(() => scene.value.curves ?? null);
 
-/** What draws ends of which a link holds no knots, once there are some. */
-const drawnEnds = signal<typeof import("./drawn")["drawnEnds"] | null>(null);
+/** Gives ends of which a link holds no knots theirs: what draws curves brings it along. */
+export const knotted = signal<((ends: Ends) => Ends) | null>(null);
 
 /** The curves of the document, as they are drawn. */
-export const curves: ReadonlySignal<{ a: CurveShape; b: CurveShape } | null> = computed(() => {
+export const curves: ReadonlySignal<Ends | null> = computed(() => {
   const now = inDocument.value;
-  return (now && curvesReady.value && drawnEnds.value?.(now)) || now;
+  return (now && curvesReady.value && knotted.value?.(now)) || now;
 });
 
 /** Whether there are curves in place of systems. */
@@ -24,11 +26,8 @@ export const curved: ReadonlySignal<boolean> = computed(() => inDocument.value !
 
 // What draws them is loaded with the first ones.
 effect(() => {
-  const now = inDocument.value;
-  if (!now) return;
-  const bare = [now.a, now.b].some(({ curve }) => curve.knots.length === 0);
-  const fetched = bare && import("./drawn").then((module) => (drawnEnds.value = module.drawnEnds));
-  Promise.all([loadCurves(), fetched]).catch((problem) =>
+  if (!curved.value) return;
+  loadCurves().catch((problem) =>
     notify({ kind: "error", text: `Closed curves could not be loaded: ${wordsOf(problem)}` }),
   );
 });

@@ -1,4 +1,4 @@
-/** What a link says of a spline as a closed curve that is drawn: fetched with the first such link. */
+/** What a link says of a spline as a closed curve that is drawn: fetched with what draws it. */
 import type { Curve, CurveShape, Scene } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { notify, wordsOf } from "../notice";

@@ -1,6 +1,7 @@
 import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { curveTime, stageMorph } from "#document/curve/curve";
+import { curveTime, knotted, stageMorph } from "#document/curve/curve";
+import { drawnEnds } from "#document/curve/drawn";
 import { photographsSeen, watchPhotographs } from "#document/curve/photographs";
 import { bend, bendProblem } from "#document/deform/bend";
 import { tool } from "#document/tool";
@@ -11,6 +12,8 @@ import type { MainPainter, PainterState } from "../surface/painter";
 import { effectiveView, stageSize } from "../view";
 import { watchFilm } from "./film";
 import { CurvePainter } from "./painter";
+
+knotted.value = drawnEnds;
 
 interface CurvePictureProps {
   onState: (state: PainterState) => void;

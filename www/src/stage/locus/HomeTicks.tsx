@@ -15,7 +15,7 @@ export function HomeTicks({ axis }: { axis: "u" | "v" }) {
           <b>{String(x).replace("-", "−")}</b>
         </span>
       ))}
-      <em>{axis}</em>
+      <em style={{ "--at": "50%" }}>{axis}</em>
     </div>
   );
 }

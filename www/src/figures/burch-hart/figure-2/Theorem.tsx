@@ -27,13 +27,20 @@ export function Theorem({ count, edges }: TheoremProps) {
       </p>
       <div class={css["matrices"]}>
         <Matrix name="X" rows={x} />
-        <Matrix name="Y" rows={y} />
+        <Matrix name="Y" rows={y} marked />
       </div>
     </section>
   );
 }
 
-function Matrix({ name, rows }: { name: string; rows: readonly (readonly number[])[] }) {
+interface MatrixProps {
+  name: string;
+  rows: readonly (readonly number[])[];
+  /** What is 0 stands out. */
+  marked?: boolean;
+}
+
+function Matrix({ name, rows, marked = false }: MatrixProps) {
   return (
     <table class={css["matrix"]}>
       <caption>{name}</caption>
@@ -52,7 +59,7 @@ function Matrix({ name, rows }: { name: string; rows: readonly (readonly number[
           <tr key={i}>
             <th scope="row">{i + 1}</th>
             {row.map((value, j) => (
-              <td key={j} class={value === 0 ? css["zero"] : ""}>
+              <td key={j} class={marked && value === 0 ? css["zero"] : ""}>
                 {value}
               </td>
             ))}
