@@ -56,6 +56,25 @@ test("a parallelogram is dragged with a finger", async ({ studio, page }) => {
   expect(after.slice(1)).toEqual(maps.slice(1));
 });
 
+test("two fingers on the outlines of maps pinch the picture, and change no map", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=gasket&path=straight");
+  await page.getByRole("button", { name: "Edit the maps of A" }).tap();
+  await studio.idle();
+  const before = (await studio.scene()).a;
+  const box = await page.getByRole("application", { name: /^The attractor/ }).boundingBox();
+  if (!box) throw new Error("no stage");
+  const middle = { x: box.x + box.width / 2, y: box.y + box.height * 0.6 };
+  const finger = await Finger.of(page);
+  // Both at once, one after the other has begun to drag, and one beside all maps first.
+  await finger.pinch(middle, 60, 120);
+  await expect(page.getByTestId("zoom")).toHaveText("×2.0");
+  await finger.dragThenJoin(middle, { x: middle.x + 20, y: middle.y }, 30, 60);
+  await finger.join({ x: box.x + 12, y: middle.y }, middle.x - box.x, (middle.x - box.x) / 2);
+  expect((await studio.scene()).a).toEqual(before);
+  await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
+  expect(await page.evaluate(() => visualViewport?.scale)).toBe(1);
+});
+
 test("time is scrubbed with a finger", async ({ studio, page }) => {
   await studio.open("a=dragon-3&b=gasket&path=straight");
   const box = await studio.time.boundingBox();

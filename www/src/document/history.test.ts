@@ -1,7 +1,19 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { Scene } from "#wasm/api";
 import { LONGEST } from "./history";
-import { canRedo, canUndo, edit, endGesture, inGesture, redo, replace, scene, start, undo } from "./scene";
+import {
+  canRedo,
+  canUndo,
+  edit,
+  endGesture,
+  inGesture,
+  redo,
+  replace,
+  scene,
+  start,
+  takeBack,
+  undo,
+} from "./scene";
 
 const first: Scene = { ...scene.peek() };
 const turn = (turns: number[]) => (before: Scene) => ({ ...before, turns });
@@ -52,6 +64,19 @@ describe("edit", () => {
     replace({ ...scene.peek(), tool: "fit" });
     undo();
     expect(scene.value).toMatchObject({ tool: "fit", turns: [] });
+  });
+
+  it("takes a gesture back that is given up, and no step before it", () => {
+    edit(turn([1]), { gesture: "drag" });
+    endGesture();
+    takeBack();
+    expect(scene.value.turns).toEqual([1]);
+    edit(turn([2]), { gesture: "drag" });
+    edit(turn([3]), { gesture: "drag" });
+    takeBack();
+    expect([scene.value.turns, canRedo.value, inGesture.value]).toEqual([[1], false, false]);
+    undo();
+    expect(canUndo.value).toBe(false);
   });
 
   it("does nothing when nothing changes", () => {

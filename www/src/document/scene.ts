@@ -68,6 +68,15 @@ export function endGesture(): void {
   dragging.value = false;
 }
 
+/** A gesture is given up: what it has changed is as it was, and no step. */
+export function takeBack(): void {
+  const { past, open } = history.peek();
+  const last = open && past.at(-1);
+  if (!last) return;
+  const back = { past: past.slice(0, -1), future: [], open: false };
+  set(back, keep(last.before, last.after, present.peek()), false);
+}
+
 /** Changes the scene without an undo step: the playback position, the view, a path planned for the present pair. */
 export function replace(next: Scene): void {
   present.value = next;

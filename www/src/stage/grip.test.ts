@@ -2,8 +2,8 @@ import { beforeEach, expect, it, vi } from "vitest";
 import { screen } from "#geometry/coordinates";
 import { attachGrip, type Grip } from "./grip";
 
-const endGesture = vi.hoisted(() => vi.fn());
-vi.mock("#document/scene", () => ({ endGesture }));
+const { endGesture, takeBack } = vi.hoisted(() => ({ endGesture: vi.fn(), takeBack: vi.fn() }));
+vi.mock("#document/scene", () => ({ endGesture, takeBack }));
 
 /** A knob of a drawing whose upper left is at (10, 20) of the window. */
 class Knob extends EventTarget {
@@ -106,4 +106,90 @@ it("hears nothing once it is told to stop", () => {
   expect(grip.take).not.toHaveBeenCalled();
   expect(grip.key).not.toHaveBeenCalled();
   expect(endGesture).not.toHaveBeenCalled();
+});
+
+/** A picture in its pane, and two knobs over it: what a finger does is heard by the pane first, unless it is stopped. */
+class Place extends EventTarget {
+  readonly dataset: Record<string, string> = {};
+  readonly ownerSVGElement = { getBoundingClientRect: () => ({ left: 0, top: 0 }) };
+  readonly setPointerCapture = vi.fn();
+  readonly closest: (what: string) => unknown;
+  constructor(closest: (what: string) => unknown) {
+    super();
+    this.closest = closest;
+  }
+}
+
+function fingers() {
+  vi.stubGlobal("Element", Place);
+  vi.stubGlobal(
+    "PointerEvent",
+    class extends Event {
+      constructor(type: string, told: object) {
+        super(type);
+        Object.assign(this, told);
+      }
+    },
+  );
+  const picture: Place = new Place((what) => (what === ".pane" ? pane : null));
+  const pane = Object.assign(new Place(() => null), { querySelector: () => picture });
+  const over = (what: string) => (what === ".pane" ? pane : what === "[data-handle]" ? {} : null);
+  const knobs = [new Place(over), new Place(over)] as const;
+  for (const knob of knobs) attachGrip(knob as unknown as SVGElement, () => grip);
+  const told: unknown[] = [];
+  picture.addEventListener("pointerdown", (event) => {
+    const { pointerId, clientX, clientY } = event as PointerEvent;
+    told.push([pointerId, clientX, clientY]);
+    picture.dataset["dragging"] = "";
+  });
+  const put = (type: string, at: Place, pointerId: number, x: number, y: number) => {
+    const more = { pointerId, pointerType: "touch", clientX: x, clientY: y, button: 0, target: at };
+    const event = new Event(`pointer${type}`, { bubbles: true });
+    for (const [key, value] of Object.entries(more)) Object.defineProperty(event, key, { value });
+    pane.dispatchEvent(event);
+    if (!event.cancelBubble) at.dispatchEvent(event);
+  };
+  return { picture, knobs, told, put };
+}
+
+it("leaves two fingers to the picture, and takes back what the first has changed", () => {
+  for (const second of ["picture", "knob"]) {
+    vi.resetAllMocks();
+    grip.take.mockReturnValue(screen(100, 50));
+    const { picture, knobs, told, put } = fingers();
+    put("down", knobs[0], 1, 100, 50);
+    put("move", knobs[0], 1, 110, 50);
+    expect(grip.moveTo).toHaveBeenCalledTimes(1);
+    put("down", second === "knob" ? knobs[1] : picture, 2, 200, 60);
+    expect(takeBack).toHaveBeenCalledTimes(1);
+    expect(told).toEqual([
+      [1, 110, 50],
+      [2, 200, 60],
+    ]);
+    put("move", knobs[0], 1, 120, 50);
+    put("up", knobs[0], 1, 120, 50);
+    expect(grip.moveTo).toHaveBeenCalledTimes(1);
+    expect(grip.take).toHaveBeenCalledTimes(1);
+    expect(endGesture).not.toHaveBeenCalled();
+  }
+});
+
+it("is not taken by a second finger while the first moves the picture", () => {
+  const { picture, knobs, told, put } = fingers();
+  put("down", picture, 1, 10, 10);
+  put("down", knobs[0], 2, 100, 50);
+  expect(grip.take).not.toHaveBeenCalled();
+  expect(told).toEqual([
+    [1, 10, 10],
+    [2, 100, 50],
+  ]);
+});
+
+it("is a finger's own again when the one before was lifted", () => {
+  const { picture, knobs, told, put } = fingers();
+  put("down", knobs[0], 1, 100, 50);
+  put("up", knobs[0], 1, 100, 50);
+  put("down", picture, 2, 10, 10);
+  expect(told).toEqual([[2, 10, 10]]);
+  expect(takeBack).not.toHaveBeenCalled();
 });

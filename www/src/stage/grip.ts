@@ -1,7 +1,8 @@
 import { useEffect, useRef } from "preact/hooks";
-import { endGesture } from "#document/scene";
+import { endGesture, takeBack } from "#document/scene";
 import { type Screen, screen } from "#geometry/coordinates";
 import { placeIn } from "#ui/panZoom";
+import { handOver, otherFinger, pictureUnder } from "./pinch";
 
 /** Something in an SVG that is dragged, and moved by keys. Places are CSS pixels from its upper left. */
 export interface Grip {
@@ -25,26 +26,50 @@ export function useGrip(grip: Grip): (node: SVGElement | null) => void {
   };
 }
 
-/** Listens until it is told to stop; each drag and each key held is one step of undo. */
+/**
+ * Listens until it is told to stop; each drag and each key held is one step of undo. Where a second finger comes both
+ * are for the picture, and what the first has changed is taken back.
+ */
 export function attachGrip(node: SVGElement, grip: () => Grip): () => void {
   const listening = new AbortController();
   const { signal } = listening;
   /** From the pointer to the grip, so that it does not jump. */
   let offset: Screen | null = null;
   const pointer = (event: PointerEvent) => placeIn(node.ownerSVGElement ?? node, event);
+  /** No longer waits for a second finger. */
+  let alone = () => {};
+  let last: PointerEvent | null = null;
   const down = (event: PointerEvent) => {
+    const picture = event.pointerType === "touch" ? pictureUnder(node) : null;
+    if (picture?.dataset["dragging"] !== undefined) {
+      event.stopPropagation();
+      handOver(picture, event);
+      return;
+    }
     const at = event.button === 0 ? grip().take(event) : null;
     if (!at) return;
     const from = pointer(event);
     offset = screen(at.x - from.x, at.y - from.y);
     node.setPointerCapture(event.pointerId);
+    last = event;
+    if (picture) alone = otherFinger(picture, event.pointerId, joined);
+  };
+  /** A second finger has come. */
+  const joined = (picture: HTMLElement) => {
+    const first = last;
+    offset = null;
+    alone();
+    takeBack();
+    if (first) handOver(picture, first);
   };
   const move = (event: PointerEvent) => {
     if (!offset) return;
+    last = event;
     const { x, y } = pointer(event);
     grip().moveTo(screen(x + offset.x, y + offset.y), event.altKey);
   };
   const up = () => {
+    alone();
     if (offset) endGesture();
     offset = null;
   };
@@ -61,5 +86,8 @@ export function attachGrip(node: SVGElement, grip: () => Grip): () => void {
   node.addEventListener("keyup", endGesture, { signal });
   node.addEventListener("blur", endGesture, { signal });
   node.addEventListener("focus", () => grip().focus?.(), { signal });
-  return () => listening.abort();
+  return () => {
+    alone();
+    listening.abort();
+  };
 }
