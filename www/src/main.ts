@@ -56,27 +56,10 @@ async function begin(root: HTMLElement): Promise<void> {
   startSchedules({ card: parameters.card });
   watchAutomaticPath();
   fetchAhead();
-  import("./shell/installed").then(
-    ({ beInstalled }) => beInstalled(),
+  import("./shell/later").then(
+    ({ beginLater }) => beginLater(hash, embedded, parameters.play),
     () => undefined,
   );
-  if (!embedded) {
-    import("./shell/kept/start").then(
-      ({ beKept }) => beKept(hash),
-      () => undefined,
-    );
-    import("./shell/guide/start").then(
-      ({ beGuided }) => beGuided(hash),
-      () => undefined,
-    );
-  }
-  const { play } = parameters;
-  if (play === "on" || play === "once") {
-    import("./shell/moving").then(
-      ({ moveBySelf }) => moveBySelf(play),
-      () => undefined,
-    );
-  }
 }
 
 const root = document.getElementById("app");

@@ -1,0 +1,20 @@
+/** What begins once the first picture is there, and need not be fetched before it. */
+import { waitForSwipes } from "#ui/controls/swipe";
+import { beGuided } from "./guide/start";
+import { beInstalled } from "./installed";
+import { beKept } from "./kept/start";
+import { moveBySelf } from "./moving";
+import type { readParameters } from "./parameters";
+
+type Play = ReturnType<typeof readParameters>["play"];
+
+/** `hash` is what the page was opened with; in a frame of another page there is less. */
+export function beginLater(hash: string, embedded: boolean, play: Play): void {
+  beInstalled();
+  waitForSwipes(document);
+  if (!embedded) {
+    void beKept(hash);
+    beGuided(hash);
+  }
+  if (play === "on" || play === "once") moveBySelf(play);
+}
