@@ -1,10 +1,12 @@
 /** What begins once the first picture is there, and need not be fetched before it. */
 import { waitForSwipes } from "#ui/controls/swipe";
+import { link } from "./actions";
 import { beGuided } from "./guide/start";
 import { beInstalled } from "./installed";
 import { beKept } from "./kept/start";
 import { moveBySelf } from "./moving";
 import type { readParameters } from "./parameters";
+import { beStepped } from "./steps";
 
 type Play = ReturnType<typeof readParameters>["play"];
 
@@ -13,6 +15,7 @@ export function beginLater(hash: string, embedded: boolean, play: Play): void {
   beInstalled();
   waitForSwipes(document);
   if (!embedded) {
+    beStepped(link);
     void beKept(hash);
     beGuided(hash);
   }

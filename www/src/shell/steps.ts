@@ -1,0 +1,110 @@
+/**
+ * Steps of the browser's history between the tools: its back button returns to the tool before.
+ *
+ * Where the document is still the one that was open there, only the tool goes back, and all that was done meanwhile
+ * stays: whoever goes back wants to leave a tool, and has Undo for what was made in it. An entry of another document
+ * brings that one back, as any link does, and that can be undone.
+ */
+import { effect } from "@preact/signals";
+import { openings, route } from "#document/link";
+import { scene } from "#document/scene";
+import { openTool } from "#document/tool";
+import type { Scene, Tool } from "#wasm/api";
+
+/** What is noted with an entry of the history: the tool, and which document of this tab it is. */
+interface Mark {
+  tool: Tool;
+  of: string;
+}
+
+/** The browser's history, or the tests' own. */
+export interface Entries {
+  /** What is noted with the present one. */
+  mark(): unknown;
+  /** Writes into the present one, or begins another. */
+  write(mark: Mark, fragment: string, begin: boolean): void;
+}
+
+/** What is needed of the link between document and address. */
+interface Linked {
+  fragment(change?: Partial<Scene>): string | null;
+  /** The address was changed from outside. */
+  follow(): void;
+}
+
+export class ToolSteps {
+  readonly #link: Linked;
+  readonly #entries: Entries;
+  #document: string;
+  #tool = toolNow();
+  #opened = openings.peek();
+
+  constructor(link: Linked, entries: Entries) {
+    this.#link = link;
+    this.#entries = entries;
+    this.#document = read(entries.mark())?.of ?? another();
+  }
+
+  /** Begins an entry with each change of the tool. Returns the end of it. */
+  watch(): () => void {
+    return effect(() => {
+      const to = scene.value.tool ?? "morph";
+      const from = this.#tool;
+      this.#tool = to;
+      if (openings.peek() !== this.#opened) {
+        this.#opened = openings.peek();
+        this.#document = read(this.#entries.mark())?.of ?? another();
+      } else if (to !== from) this.#begin(from, to);
+    });
+  }
+
+  #begin(from: Tool, to: Tool): void {
+    const left = this.#link.fragment({ tool: from });
+    const here = this.#link.fragment();
+    // The address is that of a page, or of another document where no link can hold this one.
+    if (route.peek().page !== "studio" || left === null || here === null) return;
+    const of = this.#document;
+    this.#entries.write({ tool: from, of }, left, false);
+    this.#entries.write({ tool: to, of }, here, true);
+    this.#link.follow();
+  }
+
+  /** The browser went to another entry, and `Link.follow` is still to come: it finds the address up to date. */
+  came(): void {
+    const mark = read(this.#entries.mark());
+    if (!mark || mark.of !== this.#document) return;
+    // Not one more entry.
+    this.#tool = mark.tool;
+    openTool(mark.tool);
+    const fragment = this.#link.fragment();
+    this.#entries.write(mark, fragment ?? "", false);
+  }
+}
+
+const toolNow = (): Tool => scene.peek().tool ?? "morph";
+
+/** Over a reload, too, no two of a tab are called the same. */
+const another = () => Math.random().toString(36).slice(2);
+
+const TOOLS: readonly unknown[] = ["morph", "deform", "fit", "space"] satisfies Tool[];
+
+/** Other pages of this host may have written there. */
+function read(mark: unknown): Mark | null {
+  if (typeof mark !== "object" || mark === null) return null;
+  const { tool, of } = mark as Partial<Mark>;
+  return typeof of === "string" && TOOLS.includes(tool) ? { tool: tool as Tool, of } : null;
+}
+
+/** The history of this tab. */
+const tab: Entries = {
+  mark: () => history.state,
+  write(mark, fragment, begin) {
+    history[begin ? "pushState" : "replaceState"](mark, "", `#${fragment}`);
+  },
+};
+
+export function beStepped(link: Linked): void {
+  const steps = new ToolSteps(link, tab);
+  steps.watch();
+  addEventListener("popstate", () => steps.came());
+}
