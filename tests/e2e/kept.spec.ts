@@ -43,7 +43,7 @@ test("a bare address offers what was made, a first visit and a link do not", asy
   await expect.poll(async () => (await studio.scene()).path).toEqual(made);
 
   await studio.open();
-  await expect(studio.toasts).toContainText("Go on with Lévy curve to Twin-dragon?");
+  await expect(studio.toasts).toContainText("Go on with your Lévy curve to Twin-dragon?");
   await studio.toasts.getByRole("button", { name: "Go on" }).click();
   await expect.poll(async () => (await studio.scene()).a.preset).toBe("levy");
   await expect(studio.toasts).not.toContainText(GO_ON);

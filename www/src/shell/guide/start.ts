@@ -2,15 +2,17 @@
 import { effect } from "@preact/signals";
 import { h, render } from "preact";
 import { route } from "#document/link";
+import { selection } from "#document/morph";
 import { play, playing, setT } from "#document/playback";
 import { reducedMotion } from "#document/preferences";
 import { lastStep, scene } from "#document/scene";
+import { tool } from "#document/tool";
 import { inHand, moveBySelf } from "../moving";
 import { readParameters } from "../parameters";
 import { Guide } from "./Guide";
 import css from "./guide.module.css";
 import { seen } from "./seen";
-import { greeting, rested } from "./state";
+import { greeted, greeting, rested } from "./state";
 import { STEPS } from "./steps";
 import { Welcome } from "./Welcome";
 
@@ -30,6 +32,7 @@ export function beGuided(hash: string): void {
   if (sent && visit && visit.type !== "navigate") return;
   greeting.value = sent ? "sent" : "new";
   welcome();
+  leaveWithTool();
   if (!sent) {
     if (!reducedMotion.peek()) playOnce();
   } else if (readParameters(location.search).play === null) moveBySelf("once");
@@ -41,6 +44,18 @@ function welcome(): void {
   place.className = css["welcome"] ?? "";
   document.querySelector("main.studio")?.prepend(place);
   render(h(Welcome, null), place);
+}
+
+/** Whoever opens another tool, or edits maps, has had the word of welcome: it speaks of what is no longer seen. */
+function leaveWithTool(): void {
+  const first = tool.peek();
+  const stop = effect(() => {
+    if (greeting.value !== null && tool.value === first && selection.value === null) return;
+    queueMicrotask(() => {
+      stop();
+      if (greeting.peek() !== null) greeted();
+    });
+  });
 }
 
 /** Shows all of the way, once, and stops at its end; at once where somebody takes it in hand. */

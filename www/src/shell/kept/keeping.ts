@@ -204,6 +204,9 @@ function made(of: Scene): string {
   return JSON.stringify([maps, path.kind === "drawn" ? path.points : null, rest]);
 }
 
+/** Whether a document is the open one, but for where one looks. */
+export const isOpen = (other: Scene): boolean => made(other) === made(scene.peek());
+
 /** What a document is called until somebody names it. */
 export function nameOf(of: Scene): string {
   if (of.tool === "space") return "Shape of space";

@@ -4,8 +4,9 @@ import { database, newId } from "#document/kept/database";
 import { addressBar } from "#document/link";
 import { dismiss, notify } from "#document/notice";
 import { lastStep, scene } from "#document/scene";
+import { tool } from "#document/tool";
 import { frond } from "#wasm/core";
-import { Keeping } from "./keeping";
+import { isOpen, Keeping } from "./keeping";
 import { type Row, Store } from "./store";
 
 export const store = new Store(database);
@@ -58,10 +59,11 @@ async function offer(): Promise<void> {
   // Where nothing can be read there is nothing to offer, and nobody has lost anything yet.
   const rows = await store.list().catch(() => []);
   const last = rows.filter(readable).sort((a, b) => b.time - a.time)[0];
-  if (!last || lastStep()) return;
+  if (!last || lastStep() || isOpen(frond.decodeScene(last.fragment).scene)) return;
   const notice = notify({
     kind: "info",
-    text: `Go on with ${last.name || "what you made"}?`,
+    // Its shapes may well be those that are open: what was made of them is meant.
+    text: `Go on with your ${last.name || "work"}?`,
     action: { label: "Go on", run: () => goOn(last) },
   });
   // Whoever turns to something else has answered, and what lies below it can be pressed.
@@ -69,9 +71,10 @@ async function offer(): Promise<void> {
     if (!(target instanceof Element && target.closest(".toast"))) end();
   };
   addEventListener("pointerdown", elsewhere, { capture: true });
+  const first = tool.peek();
   const stop = effect(() => {
     scene.value;
-    if (lastStep()) queueMicrotask(end);
+    if (lastStep() || tool.value !== first) queueMicrotask(end);
   });
   function end() {
     dismiss(notice);
