@@ -1,8 +1,10 @@
 /** Small pictures of the gallery and of both ends. */
-import { effect, untracked } from "@preact/signals";
+import { computed, effect, untracked } from "@preact/signals";
 import { pieceColours } from "#document/colours";
+import { morphOptions, pairing, selection } from "#document/morph";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
+import { sameMaps } from "#geometry/maps/same-maps";
 import { palette } from "#style/palette";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
@@ -28,18 +30,16 @@ export function scheduleThumbnails(): void {
       wanted.clear();
     });
   });
-  effect(() => {
-    const { maps } = scene.value.a;
-    dark.value;
-    epoch.value;
-    untracked(() => wantEnd("a", maps));
-  });
-  effect(() => {
-    const { maps } = scene.value.b;
-    dark.value;
-    epoch.value;
-    untracked(() => wantEnd("b", maps));
-  });
+  for (const end of ["a", "b"] as const) {
+    const own = computed(() => scene.value[end].maps);
+    const shown = computed(() => onStage(end, own.value));
+    effect(() => {
+      const maps = shown.value;
+      dark.value;
+      epoch.value;
+      untracked(() => wantEnd(end, maps));
+    });
+  }
   effect(() => {
     dark.value;
     epoch.value;
@@ -66,6 +66,26 @@ export function thumbnailsOf(shapes: readonly { id: string; maps: MapRow[] }[]):
     }
     publish.thumbnails.value = left;
   };
+}
+
+/** Maps of an end in the order of the morph's, so that each has the colour that it has on the stage. */
+function onStage(end: "a" | "b", own: MapRow[]): MapRow[] {
+  // Whoever edits them sees them by themselves.
+  if (selection.value?.target === end) return own;
+  const { from, to } = pairing.value;
+  const { correspondence } = morphOptions.value;
+  return inOrder(own, end === "a" ? from : to, end === "b" ? correspondence : undefined);
+}
+
+/**
+ * What `own` are paired as, some of them twice, and in which order; `own` where that is not what they are paired as:
+ * pieces that were split have no colour of their own, and a pair that cannot be made leaves the one before it.
+ */
+export function inOrder(own: MapRow[], paired: MapRow[], order?: readonly number[]): MapRow[] {
+  const isThere = (map: MapRow, among: MapRow[]) => among.some((other) => sameMaps([map], [other]));
+  const maps = order?.map((index) => paired[index]).filter((map) => map !== undefined) ?? paired;
+  if (sameMaps(maps, own)) return own;
+  return own.every((map) => isThere(map, maps)) && maps.every((map) => isThere(map, own)) ? maps : own;
 }
 
 const names = { a: "", b: "" };
