@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { offerWords, triedWords } from "./way-words";
+import type { MapRow } from "#wasm/api";
+import { offerWords, triedWords, turnedWords } from "./way-words";
 
 const holds = { holds: true, gap: 0 };
 
@@ -20,6 +21,18 @@ describe("offerWords", () => {
     const words = offerWords({ kind: "place", about: "" }, { holds: false, gap: 0.004 }, 0.046);
     expect(words.what).toBe("Another way breaks less: 0.4%, not 4.6%.");
     expect(offerWords(null, { holds: false, gap: 0.004 }, 0.046).what).not.toContain("holds");
+  });
+});
+
+describe("turnedWords", () => {
+  it("says of a shape that it does not stand as it was chosen", () => {
+    const place = (turn: number, scale = 1) => {
+      const [x, y] = [scale * Math.cos((turn * Math.PI) / 180), scale * Math.sin((turn * Math.PI) / 180)];
+      return { place: [x, -y, y, x, 3, 4] as MapRow };
+    };
+    expect(turnedWords("Koch curve", place(180, 0.8))).toBe(" Koch curve is turned by 180° for it.");
+    expect(turnedWords("Koch curve", place(-30))).toBe(" Koch curve is turned by 30° for it.");
+    expect([place(0, 2), place(-1), {}].map((way) => turnedWords("Koch curve", way))).toEqual(["", "", ""]);
   });
 });
 

@@ -1,4 +1,5 @@
 /** Other ways to bring two shapes together, in words. */
+import { decompose } from "#geometry/maps/affine2";
 import type { PathPlan, Route } from "#wasm/api";
 import { shareWords } from "./verdict";
 
@@ -16,6 +17,15 @@ export function offerWords(
     return { what: "Joint by joint it holds together all the way, but for rounding.", why };
   if (way === null) return { what: "With a third parameter it holds together.", why };
   return { what: `${NAMES[way.kind] ?? "Another way"} it holds together.`, why };
+}
+
+/** Degrees that nobody sees. */
+const UNSEEN = 2;
+
+/** That the last shape does not stand as it was chosen, where a way had to lay it otherwise; empty where it stays. */
+export function turnedWords(name: string, { place }: Pick<Route, "place">): string {
+  const turn = place ? Math.abs(decompose(place).turn) : 0;
+  return turn < UNSEEN ? "" : ` ${name} is turned by ${Math.round(turn)}° for it.`;
 }
 
 const NAMES: Partial<Record<Route["kind"], string>> = {

@@ -2,6 +2,7 @@
 import { remade } from "#geometry/maps/weighted";
 import type { Candidate, PathPoint, Route, Scene } from "#wasm/api";
 import { MOST_POINTS } from "./changes";
+import { noteMatched } from "./shapes/matched";
 
 /** Lists that say what is so anyway are left out of the document. */
 function matched({ correspondence, turns }: Pick<Candidate, "correspondence" | "turns">) {
@@ -25,8 +26,8 @@ export function takeRoute(scene: Scene, route: Route): Scene {
   return {
     ...scene,
     ...matched(route),
-    a: remade(scene.a, route.from, route.fromProbabilities),
-    b: remade(scene.b, route.to, route.toProbabilities),
+    a: noteMatched(scene.a, remade(scene.a, route.from, route.fromProbabilities)),
+    b: noteMatched(scene.b, remade(scene.b, route.to, route.toProbabilities)),
     mode: route.mode ?? scene.mode,
     path: { kind: route.kind === "joints" ? "straight" : "auto", points: [] },
   };

@@ -1,3 +1,4 @@
+import { computed } from "@preact/signals";
 import { thumbnails } from "#compute/results";
 import { selection } from "#document/morph";
 import { announce, notify } from "#document/notice";
@@ -11,6 +12,7 @@ import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { asBoth, type End, nameOf, other, swap } from "../changes";
 import { editMaps, endEditing, gallery, PENCILS, takeWhole } from "../dialogs";
 import { shapes } from "../parts";
+import { changedWord } from "./matched";
 
 /** The two ends of the morph, with the arrow that swaps them. */
 export function Ends() {
@@ -28,17 +30,22 @@ export function Ends() {
   );
 }
 
+/** Not drawn again at every moment of a morph that plays. */
+const wordOf = (end: End) =>
+  computed(() => (scene.value[end].preset === undefined ? changedWord(scene.value[end], scene.value) : null));
+const changed = { a: wordOf("a"), b: wordOf("b") };
+
 function Card({ end }: { end: End }) {
   const { name, maps, preset } = shapes[end].value;
   const editing = selection.value?.target === end;
   const count = `${maps.length} ${maps.length === 1 ? "copy" : "copies"}`;
-  const edited = preset === undefined;
+  const word = changed[end].value;
   return (
     <EndCard
       end={end}
       name={name}
-      note={edited ? `${count}, edited` : count}
-      count={edited ? "edited" : count}
+      note={word ? `${count}, ${word}` : count}
+      count={word ?? count}
       picture={<Thumbnail bitmap={thumbnails.value.get(end) ?? thumbnails.value.get(preset ?? "")} />}
       editing={editing}
       onChoose={() => {

@@ -3,7 +3,7 @@ import { wayOf } from "#compute/plan";
 import { endBroken, type Offer, otherWays, type Search, stopLooking } from "#compute/ways";
 import { announce, notify } from "#document/notice";
 import { edit, scene, undo } from "#document/scene";
-import { offerWords, triedWords } from "#format/way-words";
+import { offerWords, triedWords, turnedWords } from "#format/way-words";
 import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
 import { isPromised, kept } from "../../shapes/promised";
@@ -20,8 +20,9 @@ export function OtherWays() {
     if (!best?.plan.holds) return;
     kept();
     const { what } = offerWords(best.way, best.plan, 0);
-    take(best, what);
-    notify({ kind: "info", text: what, action: { label: "Undo", run: undo } });
+    const text = best.way ? `${what}${turnedWords(scene.peek().b.name, best.way)}` : what;
+    take(best, text);
+    notify({ kind: "info", text, action: { label: "Undo", run: undo } });
   }, [best, over]);
   if (endBroken.value)
     return (
