@@ -34,6 +34,23 @@ test("a first visit sees all of the way once and is told what it is", async ({ p
   await expect(welcome).toHaveCount(0);
 });
 
+test("the word of welcome leaves with the morph that it speaks of", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await visitFirst(page);
+  const welcome = page.getByRole("complementary", { name: "Welcome" });
+  await expect(welcome).toBeVisible();
+  await page.getByRole("button", { name: "Edit the maps of A" }).click();
+  await expect(welcome).toHaveCount(0);
+  await page.evaluate(() => {
+    sessionStorage.removeItem("visited");
+    localStorage.removeItem("frond.guide");
+  });
+  await page.reload();
+  await expect(welcome).toBeVisible();
+  await page.getByRole("navigation", { name: "Places" }).getByRole("link", { name: "Fit" }).click();
+  await expect(welcome).toHaveCount(0);
+});
+
 test("whoever wants less motion sees none, and who follows a link is told what it is", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   await visitFirst(page);

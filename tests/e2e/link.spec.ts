@@ -140,6 +140,25 @@ test("the back button leads to the document before", async ({ studio, page }) =>
   expect((await studio.scene()).a.preset).toBe("koch");
 });
 
+test("the back button leads to the tool before, with what was done meanwhile", async ({ studio, page }) => {
+  await studio.open("a=koch&b=gasket&path=straight&t=0.5");
+  await studio.idle();
+  await page.getByRole("navigation", { name: "Places" }).getByRole("link", { name: "Deform" }).click();
+  await expect.poll(async () => (await studio.scene()).tool).toBe("deform");
+  await page.getByRole("button", { name: "Show me" }).click();
+  await expect.poll(async () => (await studio.scene()).deform !== undefined).toBe(true);
+  await page.goBack();
+  await studio.time.waitFor();
+  expect((await studio.scene()).tool ?? "morph").toBe("morph");
+  expect((await studio.scene()).deform).toBeDefined();
+  await expect(page).not.toHaveURL(/tool=deform/);
+  await page.goForward();
+  await expect.poll(async () => (await studio.scene()).tool).toBe("deform");
+  await page.reload();
+  await page.goBack();
+  await expect.poll(async () => (await studio.scene()).tool ?? "morph").toBe("morph");
+});
+
 test("to the figures and back, nothing is lost", async ({ studio, page }) => {
   await studio.open("a=koch&b=gasket&path=straight&t=0.5");
   const before = [await studio.scene(), await studio.look()];

@@ -83,3 +83,25 @@ test("time is scrubbed with a finger", async ({ studio, page }) => {
   await (await Finger.of(page)).drag({ x: box.x + 10, y }, { x: box.x + box.width / 2, y });
   expect((await studio.scene()).t).toBeCloseTo(0.5, 1);
 });
+
+test("a swipe that begins on a slider of a lesson scrolls, and a finger that goes sideways sets it", async ({
+  page,
+}) => {
+  await page.goto("./#learn/e3");
+  const slider = page.locator("main input[type=range]").first();
+  await slider.evaluate((element) => element.scrollIntoView({ block: "center" }));
+  const box = await slider.boundingBox();
+  if (!box) throw new Error("no slider");
+  const from = { x: box.x + box.width * 0.2, y: box.y + box.height / 2 };
+  const finger = await Finger.of(page);
+  const before = await slider.inputValue();
+  await finger.drag(from, { x: from.x + 4, y: from.y - 200 }, 12);
+  await expect.poll(async () => (await slider.boundingBox())?.y).toBeLessThan(box.y - 50);
+  expect(await slider.inputValue()).toBe(before);
+  await slider.evaluate((element) => element.scrollIntoView({ block: "center" }));
+  await finger.drag(from, { x: from.x + 60, y: from.y });
+  const dragged = await slider.inputValue();
+  expect(dragged).not.toBe(before);
+  await finger.tap(from);
+  await expect.poll(() => slider.inputValue()).not.toBe(dragged);
+});

@@ -10,11 +10,16 @@ export const NAMES = { morph: { u: "u", v: "v" }, polygon: { u: "Re s", v: "Im s
 /** The same beside what they do. */
 const WORDS = { morph: { u: "turn u", v: "move v" }, polygon: NAMES.polygon };
 
+/** A map that is narrower has fewer numbers, in CSS pixels of the page. */
+const NARROW = 600;
+
 /** What is told along one side. */
 export function axisOf(axis: "u" | "v") {
   const { u0, u1, v0, v1 } = shownWindow.value;
   const [low, high] = axis === "u" ? [u0, u1] : [v0, v1];
-  const { at, digits } = ticksOf(low, high, large.value ? 7 : family.value === "morph" ? 3 : 4);
+  // Between them there is room for the names, on a phone too.
+  const most = large.value ? (innerWidth < NARROW ? 4 : 7) : family.value === "morph" ? 3 : 4;
+  const { at, digits } = ticksOf(low, high, most);
   return { low, high, at, digits, origin: originOf(low, high, digits) };
 }
 
