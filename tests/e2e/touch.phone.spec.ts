@@ -87,7 +87,7 @@ test("time is scrubbed with a finger", async ({ studio, page }) => {
 test("a swipe that begins on a slider of a lesson scrolls, and a finger that goes sideways sets it", async ({
   page,
 }) => {
-  await page.goto("./#learn/e3");
+  await page.goto("./#learn/e14");
   const slider = page.locator("main input[type=range]").first();
   await slider.evaluate((element) => element.scrollIntoView({ block: "center" }));
   const box = await slider.boundingBox();
