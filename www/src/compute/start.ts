@@ -10,7 +10,6 @@ import { scheduleProof } from "./proof";
 import { stuck } from "./results";
 import { scheduleRoutes } from "./routes";
 import { scheduleBreaks, scheduleStrip } from "./strip";
-import { scheduleThumbnails } from "./thumbnails";
 import { scheduleVerdict } from "./verdict";
 
 /** Ties the engine to the document: from here on every change asks for what follows from it. */
@@ -18,13 +17,17 @@ export function startSchedules(options: { card: CardChoice }): void {
   scheduleVerdict();
   scheduleLocus(options.card);
   schedulePlan();
-  scheduleThumbnails();
   scheduleBreaks();
   scheduleStrip();
   scheduleCertify();
   scheduleProof();
   scheduleMatching();
   scheduleRoutes();
+  // Nobody waits for small pictures as for the large one. Without them cards have their names.
+  import("./thumbnails").then(
+    ({ scheduleThumbnails }) => scheduleThumbnails(),
+    () => undefined,
+  );
   // Most never need it.
   effect(() => {
     if (stuck.value)
