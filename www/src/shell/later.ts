@@ -1,5 +1,5 @@
 /** What begins once the first picture is there, and need not be fetched before it. */
-import { waitForSwipes } from "#ui/controls/swipe";
+import { waitForSwipes } from "#ui/swipe";
 import { link } from "./actions";
 import { beGuided } from "./guide/start";
 import { beInstalled } from "./installed";

@@ -108,7 +108,7 @@ it("hears nothing once it is told to stop", () => {
   expect(endGesture).not.toHaveBeenCalled();
 });
 
-/** A picture in its pane, and two knobs over it: what a finger does is heard by the pane first, unless it is stopped. */
+/** A picture in its pane, and two knobs over it: the pane hears first of what a finger does, and may stop it. */
 class Place extends EventTarget {
   readonly dataset: Record<string, string> = {};
   readonly ownerSVGElement = { getBoundingClientRect: () => ({ left: 0, top: 0 }) };
