@@ -1,3 +1,4 @@
+import { announce } from "#document/notice";
 import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { SliderField } from "#ui/controls/SliderField";
@@ -9,10 +10,14 @@ import fitCss from "../fit.module.css";
 import { brushSize, exact, type Hand, hand } from "../stage/brush";
 import { step } from "../stage/layers";
 import {
+  addStroke,
   canRedoStroke,
   canUndoStroke,
   changeMask,
+  leftOut,
   masked,
+  masking,
+  outlined,
   part,
   redoStroke,
   settings,
@@ -33,7 +38,12 @@ export function CutPanel() {
         value={step.value}
         options={[
           { value: "cut", label: "1 Cut it out", description: "Say what of the picture is the leaf" },
-          { value: "fit", label: "2 Fit it", description: "Find the formula of its outline" },
+          {
+            value: "fit",
+            label: "2 Fit it",
+            description: "Find the formula of its outline",
+            disabled: step.value === "cut" && !outlined.value,
+          },
         ]}
         onChange={(next) => {
           step.value = next;
@@ -52,15 +62,21 @@ function Mask() {
       <Button
         kind="primary"
         icon="arrow"
-        disabled={!traced.value}
+        disabled={!outlined.value}
+        description={
+          masking.value
+            ? "Wait until the new outline is seen"
+            : "Find the formula of the outline that is seen"
+        }
         onClick={() => {
           step.value = "fit";
           hand.value = "move";
         }}
       >
-        Fit this outline
+        {masking.value ? "Looking for the outline …" : "Fit this outline"}
       </Button>
       <Messages />
+      <LeftOut />
       <Brush />
       <Parts />
       <Turn />
@@ -118,6 +134,31 @@ function Messages() {
     </div>
   );
 }
+
+/** A part beside the outline, which may belong to the leaf. */
+function LeftOut() {
+  const near = leftOut.value;
+  if (!near) return null;
+  return (
+    <div class={fitCss["cut-messages"]} role="status">
+      <p class="notes">
+        {`Part ${near.index + 1} lies close beside it and is left out: it is ${percentOf(near.share)} as large.`}
+      </p>
+      <Button
+        icon="add"
+        description="The gap between the two becomes leaf, as by a stroke, which can be undone"
+        onClick={() => {
+          addStroke(near.stroke);
+          announce(`Part ${near.index + 1} is joined to it.`);
+        }}
+      >
+        {`Join part ${near.index + 1} to it`}
+      </Button>
+    </div>
+  );
+}
+
+const percentOf = (share: number) => `${Math.max(1, Math.round(100 * share))}%`;
 
 const TURNS: readonly { quarters: Quarters; label: string; description: string }[] = [
   { quarters: 3, label: "Left", description: "Turn the photograph a quarter to the left" },

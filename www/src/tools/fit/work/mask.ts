@@ -1,10 +1,11 @@
 /** From a picture to an outline: the mask, what mends it, and which of its parts is the leaf. */
-import { batch, effect, signal } from "@preact/signals";
+import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { announce, notify, wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
 import type { Component, Masked, Stroke, TraceWarning } from "#workers/fit/trace-types";
 import { InTurn, isStopped } from "#workers/lanes/latest";
 import { framed, frameOfSize } from "./frame";
+import { type NearPart, nearPart } from "./near-part";
 import { opened, PICTURE_LANE } from "./source";
 
 export interface Settings {
@@ -24,6 +25,19 @@ export const part = signal(0);
 export const traced = signal<Float64Array | null>(null);
 export const warnings = signal<readonly TraceWarning[]>([]);
 export const masking = signal(false);
+
+/** Whether the outline that is seen is the one that was asked for last. */
+export const outlined: ReadonlySignal<boolean> = computed(() => traced.value !== null && !masking.value);
+
+/** What was left out beside it, and may belong to it. */
+export const leftOut: ReadonlySignal<NearPart | null> = computed(() => {
+  const mask = masked.value;
+  const points = traced.value;
+  if (!mask || !points || !outlined.value) return null;
+  const { x, y, scale } = frameOfSize(mask.width, mask.height);
+  const pixels = points.map((z, i) => (i % 2 === 0 ? z / scale + x : mask.height - (z / scale + y)));
+  return nearPart(mask, Math.min(part.value, mask.components.length - 1), pixels);
+});
 
 /** Strokes that were taken back, the last one last. */
 const undone = signal<readonly Stroke[]>([]);
@@ -74,6 +88,9 @@ export function keepFor(id: number, settings: Settings, part: number): void {
 /** Whose settings they are: whoever leaves the tool and comes back finds them as they were. */
 let picture: number | null = null;
 
+/** How often an outline was asked for: the last one is the one that is waited for. */
+let asked = 0;
+
 /** Keeps mask and outline up with the picture and the settings. Returns the end of it. */
 export function watchMask(): () => void {
   return effect(() => {
@@ -93,14 +110,19 @@ export function watchMask(): () => void {
       });
     }
     if (!now) {
+      asked++;
       turn.clear();
       masking.value = false;
       return;
     }
     const wanted = settings.value;
     const chosen = part.value;
+    const mine = ++asked;
     masking.value = true;
-    turn.ask(() => work(now.id, wanted, chosen));
+    turn.ask(async () => {
+      await work(now.id, wanted, chosen);
+      if (mine === asked) masking.value = false;
+    });
   });
 }
 
@@ -144,8 +166,6 @@ async function work(id: number, wanted: Settings, picked: number): Promise<void>
     });
   } catch (problem) {
     if (current() && !isStopped(problem)) notify({ kind: "error", text: wordsOf(problem) });
-  } finally {
-    if (current() && settings.peek() === wanted) masking.value = false;
   }
 }
 
