@@ -37,3 +37,21 @@ it("takes a number as a whole one, and the lesson of that number first", () => {
   expect(idsOf("Lesson 2")[0]).toBe("e13");
   expect(idsOf("Lesson 2")).not.toContain("e21");
 });
+
+it("finds what is about connectedness by the plain words for it", () => {
+  const about = ["e1", "e5", "e3", "e9", "e10", "e20", "e7", "e8", "e4", "e21"];
+  for (const asked of [
+    "connected",
+    "falls apart",
+    "fall apart",
+    "holds together",
+    "one piece",
+    "in pieces",
+    "broken",
+  ]) {
+    expect(idsOf(asked), asked).toEqual(expect.arrayContaining(about));
+    // It is not the whole course.
+    expect(idsOf(asked), asked).not.toContain("e13");
+    expect(idsOf(asked), asked).not.toContain("e23");
+  }
+});
