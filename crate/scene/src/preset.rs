@@ -77,7 +77,7 @@ pub fn presets() -> Vec<Preset> {
                 [-0.15, 0.28, 0.26, 0.24, 0.0, 0.44],
             ],
         ),
-        preset("maple", "Maple leaf", "Three lobes and a stalk, drawn for Frond.", maple()),
+        preset("maple", "Maple of four", "Three lobes and a stalk, drawn for Frond.", maple()),
         preset("tree", "Tree", "A trunk, two large boughs and a small one between them.", tree()),
         preset(
             "spiral",
