@@ -3,6 +3,7 @@ import { type Command, help } from "#ui/commands";
 import { Button } from "#ui/controls/Button";
 import { ShortcutsDialog } from "#ui/overlay/ShortcutsDialog";
 import { WORDS } from "#ui/terms/words";
+import { touched } from "#ui/touched";
 import css from "./help.module.css";
 import { goRound } from "./state";
 
@@ -25,7 +26,7 @@ export function Help({ commands }: { commands: () => readonly Command[] }) {
           Learn from the beginning
         </a>
       </p>
-      <details class={css["words"]}>
+      <details class={css["words"]} open={touched.value}>
         <summary>What the words mean</summary>
         <dl>
           {WORDS.map(({ word, means, lesson }) => (
