@@ -1,5 +1,6 @@
 import { useCallback, useMemo } from "preact/hooks";
 import { type Box, fitFor } from "#document/framing";
+import { boxOfPoints } from "#geometry/point-box";
 import type { MapRow } from "#wasm/api";
 import { copies } from "../maps/iterates";
 import type { Point } from "../maps/pieces";
@@ -18,8 +19,10 @@ interface IteratesProps {
   label: string | null;
 }
 
-/** Below this many device pixels a copy is drawn as a dot, so that it does not fade away. */
-const SMALLEST = 1.5;
+/** A copy that is smaller than this, in pixels of the page, is drawn as a dot: thin lines in it would fade away. */
+const SMALL = 3;
+/** As small as a dot may be. */
+const DOT = 1.8;
 const MARGIN = 0.06;
 
 /** A figure after so many steps: in each all that there is is copied by every map. */
@@ -27,9 +30,10 @@ export function Iterates({ maps, steps, start, box, label }: IteratesProps) {
   const all = useMemo(() => copies(maps, steps), [maps, steps]);
   const draw = useCallback(
     (sheet: Sheet) => {
-      const { context, width, height, colours, token } = sheet;
+      const { context, width, height, ratio, colours, token } = sheet;
       const { x, y, scale } = fitFor(box, { width, height }, MARGIN);
       const path = "outlines" in start ? pathOf(start.outlines) : null;
+      const extent = "outlines" in start ? extentOf(start.outlines) : null;
       for (const { map, first } of all) {
         const [a, b, c, d, e, f] = map;
         const [left, top] = [width / 2 + scale * (e - x), height / 2 - scale * (f - y)];
@@ -39,13 +43,21 @@ export function Iterates({ maps, steps, start, box, label }: IteratesProps) {
           // Pictures have their y downwards.
           context.transform(1, 0, 0, -1, 0, 1);
           context.drawImage(start.picture, 0, 0, 1, 1);
-        } else if (path && scale * Math.max(Math.hypot(a, c), Math.hypot(b, d)) >= SMALLEST) {
-          context.fill(path);
-        } else {
-          const [px, py] = start.outlines[0]?.[0] ?? [0, 0];
+        } else if (path && extent) {
+          const size = scale * Math.max(Math.hypot(a, c), Math.hypot(b, d)) * extent.size;
+          if (size >= SMALL * ratio) {
+            context.fill(path);
+            continue;
+          }
+          const [px, py] = extent.middle;
+          const side = Math.max(DOT * ratio, 0.8 * size);
           context.setTransform(1, 0, 0, 1, 0, 0);
-          const side = SMALLEST;
-          context.fillRect(left + scale * (a * px + b * py), top - scale * (c * px + d * py), side, side);
+          context.fillRect(
+            left + scale * (a * px + b * py) - side / 2,
+            top - scale * (c * px + d * py) - side / 2,
+            side,
+            side,
+          );
         }
       }
     },
@@ -53,6 +65,15 @@ export function Iterates({ maps, steps, start, box, label }: IteratesProps) {
   );
   const { canvas } = useDrawing(draw);
   return <canvas ref={canvas} class={css["figure-picture"]} {...pictured(label)} />;
+}
+
+/** The middle of all outlines, and how far they reach across or up. */
+function extentOf(outlines: readonly (readonly Point[])[]): { middle: Point; size: number } {
+  const box = boxOfPoints(outlines.flat(2)) ?? { x0: 0, y0: 0, x1: 0, y1: 0 };
+  return {
+    middle: [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2],
+    size: Math.max(box.x1 - box.x0, box.y1 - box.y0),
+  };
 }
 
 function pathOf(outlines: readonly (readonly Point[])[]): Path2D {

@@ -173,11 +173,11 @@ function Factors() {
   // A length stays with its unit, and with its factor.
   const left = FACTORS.map((factor) =>
     `${factor}: ${metresWords(factor ** steps)}`.replaceAll(" ", "\u00a0"),
-  ).join(", ");
+  ).join("; ");
   return (
     <>
       <Plot
-        label={`A distance of 1 metre by steps: by factor 0.9 it is gone at once, by 0.99 within some hundred steps, by 0.999 it is 37 centimetres after a thousand, by 1 it stays. After ${steps} steps: ${left}.`}
+        label={`A distance of 1 metre by steps: by factor 0.9 it is gone at once, by 0.99 within some hundred steps, by 0.999 it is 37 centimetres after a thousand, by 1 it stays. Left after ${steps} steps, by factor: ${left}.`}
         x={{ min: 0, max: MANY, ticks: [0, 200, 400, 600, 800, 1000], name: "steps" }}
         y={{ min: 0, max: 1.1, ticks: [0, 0.25, 0.5, 0.75, 1], name: "metres apart" }}
         series={FACTORS.map((factor, i) => ({
@@ -192,7 +192,7 @@ function Factors() {
         <SliderControl label="steps" symbol="n" range={[0, MANY]} whole value={steps} onChange={setSteps} />
       </div>
       <p class="number" aria-live="polite">
-        {left}
+        Of 1 metre there is left after {steps} {steps === 1 ? "step" : "steps"}, with the factor {left}.
       </p>
     </>
   );

@@ -26,6 +26,7 @@ export function Track({ points, reach, middle = [0.5, 0.5], label }: TrackProps)
   const [start] = placed;
   const [left, top] = place([0, 0]);
   const isAbove = points[0]?.[0] === 0;
+  const isMiddle = start !== undefined && Math.hypot(start[0] - left, start[1] - top) < 14;
   const line = placed.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L");
   return (
     <div class={css["track"]} {...pictured(label)}>
@@ -40,8 +41,13 @@ export function Track({ points, reach, middle = [0.5, 0.5], label }: TrackProps)
           <g transform={`translate(${start.join(" ")})`}>
             <circle class={css["track-start"]} r={6} />
             {/* Not in the way of the points, which go to the right from above the middle. */}
-            <text class={css["name"]} x={isAbove ? -10 : 10} y={-8} text-anchor={isAbove ? "end" : "start"}>
-              start
+            <text
+              class={css["name"]}
+              x={isAbove ? -10 : 10}
+              y={isMiddle ? -16 : -8}
+              text-anchor={isAbove ? "end" : "start"}
+            >
+              {isMiddle ? "start, close to the middle" : "start"}
             </text>
           </g>
         )}
