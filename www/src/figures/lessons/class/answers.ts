@@ -10,6 +10,8 @@ export interface Answer {
   guess: string;
   /** Whether the guess was right, where that is known. */
   right?: boolean;
+  /** What is so, in the words of the guess, where that is known. */
+  truth?: string;
   /** What it is called on the sheet. */
   name?: string;
   answer: string;
@@ -71,7 +73,7 @@ export function answersIn(value: unknown): Answers | null {
 
 function answerOf(value: unknown): Answer | null {
   if (!isRecord(value)) return null;
-  const { item, done, exercises, guess, right, name, answer } = value;
+  const { item, done, exercises, guess, right, truth, name, answer } = value;
   if (typeof item !== "string" || !/^(?:e\d{1,4}|shape:[\w-]{1,32}|link:\d{1,2})$/.test(item)) return null;
   if (typeof done !== "boolean" || !Array.isArray(exercises)) return null;
   const solved = exercises.filter((n): n is number => Number.isInteger(n) && n > 0 && n < 100);
@@ -81,6 +83,7 @@ function answerOf(value: unknown): Answer | null {
     exercises: [...new Set(solved)],
     guess: wordsOf(guess, MOST_GUESS),
     ...(typeof right === "boolean" ? { right } : {}),
+    ...(typeof truth === "string" && truth !== "" ? { truth: truth.slice(0, MOST_GUESS) } : {}),
     ...(typeof name === "string" ? { name: name.slice(0, MOST_NAME) } : {}),
     answer: wordsOf(answer, MOST_WORDS),
   };

@@ -12,7 +12,7 @@ import { Fitted } from "../../kit/picture/fitted";
 import { Page } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
 import { done } from "../frame/done";
-import { guessOf, rightOf } from "../frame/guesses";
+import { guessOf, rightOf, truthOf } from "../frame/guesses";
 import { printHandouts } from "../frame/handout/paper";
 import marksCss from "../marks.module.css";
 import { type Answer, MOST_WORDS, written } from "./answers";
@@ -75,6 +75,7 @@ function Filled({ sheet, whole, state }: FilledProps) {
         exercises: solved(key).sort((p, q) => p - q),
         guess: key.includes(":") ? "" : guessOf(key),
         ...(rightOf(key) === null ? {} : { right: rightOf(key) === true }),
+        ...(truthOf(key) === "" ? {} : { truth: truthOf(key) }),
         name,
         answer: mine.answers[key] ?? "",
       }),

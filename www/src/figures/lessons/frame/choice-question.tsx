@@ -17,7 +17,7 @@ export function ChoiceQuestion<T extends string>(props: ChoiceQuestionProps<T>) 
   return (
     <Question
       prediction={prediction}
-      {...(truth === null ? {} : { right: prediction.guess === truth })}
+      truth={truth}
       beside={beside}
       after={after}
       answer={

@@ -55,16 +55,36 @@ function keptRight(): Map<string, boolean> {
 /** Whether the first guess of a lesson was right; null where it is not known. */
 export const rightOf = (lesson: string) => keptRight().get(lesson) ?? null;
 
+const TRUTH = "frond.guesses-truth";
+
+function keptTruth(): Map<string, string> {
+  try {
+    return guessesIn(localStorage.getItem(TRUTH));
+  } catch {
+    return new Map();
+  }
+}
+
+/** What was so, in the words of the guess; empty where it is not known. */
+export const truthOf = (lesson: string) => keptTruth().get(lesson) ?? "";
+
 /** A second guess, once the truth is known, is none. */
-export function keepGuess(lesson: string, words: string, right?: boolean): void {
+export function keepGuess(lesson: string, words: string): void {
   const all = kept();
   if (all.has(lesson) || words === "") return;
-  all.set(lesson, words.slice(0, MOST_WORDS));
+  write(KEY, all.set(lesson, words.slice(0, MOST_WORDS)));
+}
+
+/** What is so, once it is known, beside the guess that was kept. */
+export function keepTruth(lesson: string, words: string, right: boolean, truth: string): void {
+  if (guessOf(lesson) !== words.slice(0, MOST_WORDS) || rightOf(lesson) !== null) return;
+  write(RIGHT, keptRight().set(lesson, right));
+  if (truth !== "") write(TRUTH, keptTruth().set(lesson, truth.slice(0, MOST_WORDS)));
+}
+
+function write(key: string, all: ReadonlyMap<string, string | boolean>): void {
   try {
-    localStorage.setItem(KEY, JSON.stringify(Object.fromEntries(all)));
-    if (right !== undefined) {
-      localStorage.setItem(RIGHT, JSON.stringify(Object.fromEntries(keptRight().set(lesson, right))));
-    }
+    localStorage.setItem(key, JSON.stringify(Object.fromEntries(all)));
   } catch {
     // Then nobody hears of it.
   }
@@ -75,15 +95,28 @@ export function clearGuesses(): void {
   try {
     localStorage.removeItem(KEY);
     localStorage.removeItem(RIGHT);
+    localStorage.removeItem(TRUTH);
   } catch {
     // There are none.
   }
 }
 
+/** What an answer is called that can be ticked. */
+const nameOf = (input: Element) =>
+  input.closest("label")?.querySelector("input + *")?.textContent?.trim() ?? "";
+
 /** A guess in words: what is ticked, as it is called, else the number. */
 export function guessWords(question: Element | null, guess: unknown): string {
-  const ticked = [...(question?.querySelectorAll("fieldset input:checked") ?? [])].map(
-    (input) => input.closest("label")?.querySelector("input + *")?.textContent?.trim() ?? "",
-  );
+  const ticked = [...(question?.querySelectorAll("fieldset input:checked") ?? [])].map(nameOf);
   return ticked.length > 0 ? ticked.join("; ") : typeof guess === "number" ? String(guess) : "";
+}
+
+/** What is so in the same words. */
+export function truthWords(question: Element | null, truth: string | number): string {
+  if (typeof truth === "number") return String(Number(truth.toFixed(4)));
+  const all = [...(question?.querySelectorAll<HTMLInputElement>("fieldset input") ?? [])];
+  return all
+    .filter(({ value }) => value === truth)
+    .map(nameOf)
+    .join("; ");
 }

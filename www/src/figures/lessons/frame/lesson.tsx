@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { useContext, useEffect } from "preact/hooks";
+import { useContext, useEffect, useRef } from "preact/hooks";
 import { Button } from "#ui/controls/Button";
 import { Menu } from "#ui/overlay/Menu";
 import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/frame";
@@ -7,7 +7,7 @@ import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
 import { CopyLink } from "../../kit/state/copy-link";
 import { markDone } from "./done";
-import { guessWords, keepGuess } from "./guesses";
+import { guessWords, keepGuess, keepTruth, truthWords } from "./guesses";
 import { printHandout, printHandouts } from "./handout/paper";
 import { Room, Whose } from "./handout/room";
 import css from "./lesson.module.css";
@@ -105,10 +105,10 @@ function PrintMenu() {
 
 export interface QuestionProps {
   prediction: Prediction<unknown>;
-  /** Whether the guess is right, where one can say so. */
-  right?: boolean;
-  /** The truth where it is a number, for whoever reads the guess later. */
-  truth?: string;
+  /** What is so: an answer of those to choose from, or a number. Null while it is being found out. */
+  truth?: string | number | null;
+  /** How far a number may be from it and still be right. */
+  within?: number;
   /** Whether there is something to look at beside the question; it stays in its place when the truth comes. */
   beside?: ComponentChildren;
   /** What is asked: choices or a slider, with the question as their name. */
@@ -120,18 +120,28 @@ export interface QuestionProps {
 }
 
 /** Asks for a prediction and then shows what is so. The one button keeps its place, and with it the focus. */
-export function Question({ prediction, right, truth, beside, children, answer, after }: QuestionProps) {
+export function Question(props: QuestionProps) {
+  const { prediction, truth = null, within = 0, beside, children, answer, after } = props;
   const { guess, said, shown, show, again } = prediction;
   const lesson = useContext(LessonId);
-  const look = ({ currentTarget }: MouseEvent) => {
-    const question = currentTarget instanceof Element ? currentTarget.closest("section") : null;
-    const words = guessWords(question, guess);
-    keepGuess(lesson, words === "" || truth === undefined ? words : `${words} (it is ${truth})`, right);
+  const question = useRef<HTMLElement>(null);
+  const look = () => {
+    keepGuess(lesson, guessWords(question.current, guess));
     show();
     markDone(lesson);
   };
+  useEffect(() => {
+    if (!shown || truth === null) return;
+    const right =
+      typeof truth === "number" && typeof guess === "number"
+        ? Math.abs(guess - truth) <= within + 1e-9
+        : guess === truth;
+    const words = guessWords(question.current, guess);
+    keepTruth(lesson, words, right, truthWords(question.current, truth));
+  }, [lesson, shown, guess, truth, within]);
   return (
     <section
+      ref={question}
       class={`${frameCss["figure-live"]} ${css["question"]}`}
       data-testid="live"
       data-step="question"

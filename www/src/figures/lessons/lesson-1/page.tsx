@@ -30,6 +30,8 @@ const [OTHER, TOP] = [0.6, 0.4];
 /** Where piece 2 begins: piece 1 has to reach as far. */
 const TRUTH = 1 - OTHER;
 const [LOWEST, HIGHEST] = [0.25, 0.5];
+/** So near to it is right. */
+const CLOSE = 0.0025;
 const pieces = (r: number) => unevenGasket([r, OTHER, TOP]);
 
 /** What touching means. */
@@ -169,7 +171,8 @@ function Parting({ prediction, r }: PartingProps) {
   return (
     <Question
       prediction={prediction}
-      truth={fixed(TRUTH, 3)}
+      truth={TRUTH}
+      within={CLOSE}
       beside={
         <Drawn
           maps={maps}
@@ -181,7 +184,7 @@ function Parting({ prediction, r }: PartingProps) {
       }
       answer={
         <Truth
-          line={`You said ${fixed(r, 3)}. They part below ${fixed(TRUTH, 3)}. ${nearWords(r, TRUTH, { close: 0.0025, fair: 0.012 })}`}
+          line={`You said ${fixed(r, 3)}. They part below ${fixed(TRUTH, 3)}. ${nearWords(r, TRUTH, { close: CLOSE, fair: 0.012 })}`}
         >
           <p>
             Along the bottom edge piece 1 reaches from 0 to its scale r. Piece 2 is {fixed(OTHER)} wide, so it

@@ -151,6 +151,7 @@ function Pairing({ prediction }: { prediction: Prediction<Name> }) {
   return (
     <Question
       prediction={prediction}
+      truth={shown ? truth : null}
       answer={
         known ? (
           <Truth

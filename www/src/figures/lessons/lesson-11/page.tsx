@@ -108,7 +108,7 @@ function What({ prediction }: { prediction: Prediction<Guess> }) {
   return (
     <Question
       prediction={prediction}
-      right={prediction.guess === TRUTH}
+      truth={TRUTH}
       beside={
         <Bent
           maps={GASKET}

@@ -155,7 +155,7 @@ function Empty({ prediction }: { prediction: Prediction<Where> }) {
   return (
     <Question
       prediction={prediction}
-      right={prediction.guess === "middle"}
+      truth="middle"
       beside={
         <Board
           game={game}

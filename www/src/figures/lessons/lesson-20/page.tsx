@@ -98,6 +98,7 @@ function Whole({ prediction, field, proved }: WholeProps) {
   return (
     <Question
       prediction={prediction}
+      truth={TRUTH}
       beside={
         <Chart
           field={shown ? field : null}

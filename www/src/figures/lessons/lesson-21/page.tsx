@@ -115,7 +115,7 @@ function Apart({ prediction }: { prediction: Prediction<Guess> }) {
   return (
     <Question
       prediction={prediction}
-      right={prediction.guess === TRUTH}
+      truth={TRUTH}
       beside={
         <Panel>
           <Picture

@@ -104,7 +104,7 @@ function Turned({ prediction }: { prediction: Prediction<Guess> }) {
   return (
     <Question
       prediction={prediction}
-      right={prediction.guess === TRUTH}
+      truth={TRUTH}
       beside={<Both kb={0} delta={prediction.shown ? 0 : DELTA} />}
       answer={
         <Truth line="The plain bend, exactly: the same as at locality 9.">

@@ -116,6 +116,7 @@ function Balancing({ prediction }: { prediction: Prediction<Guess> }) {
   return (
     <Question
       prediction={prediction}
+      truth={TRUTH}
       beside={
         <div class={`${layout["two-columns"]} ${layout["even"]} ${css["square"]}`}>
           <Panel caption="From the side.">

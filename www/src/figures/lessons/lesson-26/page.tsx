@@ -32,6 +32,8 @@ import { TEACHING } from "./teaching";
 
 const ANGLE = 88;
 const [LOWEST, HIGHEST] = [0.5, 0.9];
+/** So near to it is right. */
+const CLOSE = 0.011;
 
 /** Why M has an inner circle and an outer one. */
 export function Page(heading: Heading) {
@@ -126,7 +128,8 @@ function TooLarge({ prediction }: { prediction: Prediction<number> }) {
   return (
     <Question
       prediction={prediction}
-      truth={fixed(PLANE, 4)}
+      truth={PLANE}
+      within={CLOSE}
       beside={
         <Plot
           label="The dimension that a dust of two pieces would have, by their size: 1 at one half, and growing."
@@ -146,7 +149,7 @@ function TooLarge({ prediction }: { prediction: Prediction<number> }) {
       }
       answer={
         <Truth
-          line={`You said ${fixed(guess)}. From 0.7071, the root of ½, on. ${nearWords(guess, PLANE, { close: 0.011, fair: 0.04 })}`}
+          line={`You said ${fixed(guess)}. From 0.7071, the root of ½, on. ${nearWords(guess, PLANE, { close: CLOSE, fair: 0.04 })}`}
         >
           <p>
             There a dust would have dimension 2, and beyond it more. But it lies in the plane, in which

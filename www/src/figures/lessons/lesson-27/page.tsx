@@ -129,7 +129,7 @@ function HowMany({ prediction }: { prediction: Prediction<number> }) {
   return (
     <Question
       prediction={prediction}
-      truth={String(truth)}
+      truth={truth}
       beside={
         <Picture
           maps={maps}

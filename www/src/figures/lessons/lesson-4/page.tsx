@@ -152,7 +152,7 @@ function When({ prediction }: { prediction: Prediction<number> }) {
   return (
     <Question
       prediction={prediction}
-      truth={String(truth)}
+      truth={truth}
       beside={<Closing rounds={shown ? all : all.slice(0, 2)} r={ASKED} marks={marks} height={330} />}
       answer={
         <Truth

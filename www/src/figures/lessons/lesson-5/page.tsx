@@ -28,6 +28,8 @@ const ASKED = 75;
 const POINTS = 200_000;
 const SEED = 1;
 const [LOWEST, HIGHEST] = [0.46, 0.505];
+/** So near to it is right. */
+const CLOSE = 0.0015;
 
 /** The resolution's lie. */
 export function Page(heading: Heading) {
@@ -100,6 +102,8 @@ function Seeing({ prediction, r }: { prediction: Prediction<number>; r: number }
   return (
     <Question
       prediction={prediction}
+      truth={seen}
+      within={CLOSE}
       beside={
         <Buffer
           run={run}
@@ -113,7 +117,7 @@ function Seeing({ prediction, r }: { prediction: Prediction<number>; r: number }
           line={
             seen === null
               ? "Measuring …"
-              : `You said ${fixed(r, 4)}. Here 75 pixels say connected from ${fixed(seen, 4)} on. ${nearWords(r, seen, { close: 0.0015, fair: 0.006 })}`
+              : `You said ${fixed(r, 4)}. Here 75 pixels say connected from ${fixed(seen, 4)} on. ${nearWords(r, seen, { close: CLOSE, fair: 0.006 })}`
           }
         >
           <Lies found={measured.found} exact={measured.exact} />

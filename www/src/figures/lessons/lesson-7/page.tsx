@@ -30,6 +30,8 @@ import { Coordinate, ends, FROM, judge, SAMPLES, SIZE, TO } from "./leading";
 import { TEACHING } from "./teaching";
 
 const STILLS = 10;
+/** So near to it is right. */
+const CLOSE = 0.015;
 
 /** What must be there before it is shown. */
 export const needs = [loadProof];
@@ -129,12 +131,13 @@ function Breaking({ prediction, way, onWay }: BreakingProps) {
   return (
     <Question
       prediction={prediction}
-      {...(first === null ? {} : { truth: fixed(first) })}
+      truth={first}
+      within={CLOSE}
       beside={<Picture maps={maps} box={box} label={`The shape at t = ${fixed(t)} of the straight way.`} />}
       answer={
         broken && (
           <Truth
-            line={`You said t = ${fixed(t)}. It first breaks at ${fixed(first ?? 0)}. ${nearWords(t, first ?? 0, { close: 0.015, fair: 0.06 })}`}
+            line={`You said t = ${fixed(t)}. It first breaks at ${fixed(first ?? 0)}. ${nearWords(t, first ?? 0, { close: CLOSE, fair: 0.06 })}`}
           >
             <p>
               On the straight way the shape is broken for t = {stretchWords(broken.stretches)}. By the time

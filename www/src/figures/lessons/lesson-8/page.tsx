@@ -217,6 +217,7 @@ function Where({ prediction, s, onS }: WhereProps) {
   return (
     <Question
       prediction={prediction}
+      truth={proved}
       beside={
         <>
           <Disc field={shown ? whole : null} s={s} shown={shown} onMove={move} />

@@ -146,7 +146,7 @@ function Widest({ prediction }: { prediction: Prediction<Gap> }) {
   return (
     <Question
       prediction={prediction}
-      right={prediction.guess === "tree"}
+      truth="tree"
       beside={<Measured maps={maps} all={all} tree={shown ? edges : null} />}
       answer={
         <Truth

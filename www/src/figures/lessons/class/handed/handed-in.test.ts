@@ -20,7 +20,7 @@ const answers = (name: string, title: string, day: number, answer = ""): Answers
   name,
   title,
   saved: `2026-01-0${day}T10:00:00Z`,
-  items: [{ item: "e1", done: true, exercises: [1, 2], guess: "-0.35", right: false, answer }],
+  items: [{ item: "e1", done: true, exercises: [1, 2], guess: "-0.35", right: false, truth: "0.4", answer }],
 });
 
 it("gives back what was handed in, after the page is loaded anew", async () => {
@@ -54,9 +54,9 @@ it("writes a row a pupil for a spreadsheet, in which no words are a formula", ()
   const text = spreadsheet([answers("=Ana", "M", 2, 'They "part",\nsee'), other], () => "Lesson 5");
   expect(text).toBe(
     [
-      '\uFEFF"Name","Saved","Lesson 5: done","Lesson 5: solved","Lesson 5: guess","Lesson 5: right","Lesson 5: answer"',
-      `"'=Ana","2026-01-02T10:00:00Z","yes","1 2","-0.35","no","They ""part"",\nsee"`,
-      '"Ben","2026-01-01T10:00:00Z","not asked","","","",""',
+      '\uFEFF"Name","Saved","Lesson 5: done","Lesson 5: solved","Lesson 5: guess","Lesson 5: right","Lesson 5: it is","Lesson 5: answer"',
+      `"'=Ana","2026-01-02T10:00:00Z","yes","1 2","-0.35","no","0.4","They ""part"",\nsee"`,
+      '"Ben","2026-01-01T10:00:00Z","not asked","","","","",""',
       "",
     ].join("\r\n"),
   );

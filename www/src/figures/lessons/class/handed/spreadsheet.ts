@@ -9,16 +9,23 @@ export function spreadsheet(all: readonly Answers[], called: (item: string) => s
   const asked = askedOf(all);
   const head = asked.flatMap((item) => {
     const name = called(item);
-    return [`${name}: done`, `${name}: solved`, `${name}: guess`, `${name}: right`, `${name}: answer`];
+    return ["done", "solved", "guess", "right", "it is", "answer"].map((what) => `${name}: ${what}`);
   });
   const rows = all.map(({ name, saved, items }) => [
     name,
     saved,
     ...asked.flatMap((wanted) => {
       const found = items.find(({ item }) => item === wanted);
-      if (!found) return ["not asked", "", "", "", ""];
-      const { done, exercises, guess, right, answer } = found;
-      return [yesNo(done), exercises.join(" "), guess, right === undefined ? "" : yesNo(right), answer];
+      if (!found) return ["not asked", "", "", "", "", ""];
+      const { done, exercises, guess, right, truth = "", answer } = found;
+      return [
+        yesNo(done),
+        exercises.join(" "),
+        guess,
+        right === undefined ? "" : yesNo(right),
+        truth,
+        answer,
+      ];
     }),
   ]);
   const lines = [["Name", "Saved", ...head], ...rows].map((cells) => cells.map(cell).join(","));

@@ -1,3 +1,4 @@
+import { Icon } from "#ui/controls/Icon";
 import marksCss from "../../marks.module.css";
 import { type Answer, type Answers, askedOf } from "../answers";
 import css from "../class.module.css";
@@ -43,20 +44,39 @@ export const calledOn = (all: readonly Answers[], item: string): string =>
 
 function Cell({ answer }: { answer: Answer | undefined }) {
   if (!answer) return <span class={css["open"]}>not asked</span>;
-  const { item, done, exercises, guess, right, answer: words } = answer;
-  // Of a lesson it is said what was looked at; whether it was guessed right stands below.
-  const [isDone, isOpen] = item.includes(":") ? ["done", "not yet"] : ["question answered", "question open"];
-  const good = done && right !== false && (item.includes(":") || right === true);
+  const { exercises, answer: words } = answer;
   return (
     <>
-      <span class={good ? marksCss["done"] : css["open"]}>{done ? isDone : isOpen}</span>
-      {exercises.length > 0 && <span class={css["open"]}>, solved: {exercises.join(", ")}</span>}
-      {guess !== "" && (
-        <p class={css["open"]}>
-          guessed{right !== undefined && (right ? " right" : " wrong")}: {guess}
-        </p>
-      )}
+      <State answer={answer} />
+      {exercises.length > 0 && <p class={css["open"]}>solved: {exercises.join(", ")}</p>}
       {words !== "" && <p>{words}</p>}
+    </>
+  );
+}
+
+/** Right or wrong, where that is known; else only whether it was done. */
+function State({ answer: { item, done, guess, right, truth, answer } }: { answer: Answer }) {
+  const open = item.includes(":") ? "" : "question still open";
+  if (!done) return <span class={css["open"]}>{answer === "" ? "not yet" : open}</span>;
+  if (item.includes(":")) return <span class={marksCss["done"]}>done</span>;
+  if (right === undefined) {
+    return <span class={css["open"]}>{guess === "" ? "question answered" : `guessed: ${guess}`}</span>;
+  }
+  return (
+    <>
+      <span class={marksCss[right ? "done" : "wrong"]}>
+        <Icon name={right ? "check" : "close"} size={16} />
+        {right ? "right" : "wrong"}
+      </span>
+      <p class={css["open"]}>
+        guessed: {guess}
+        {truth !== undefined && truth !== guess && (
+          <>
+            <br />
+            it is: {truth}
+          </>
+        )}
+      </p>
     </>
   );
 }
