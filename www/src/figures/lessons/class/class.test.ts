@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { type Answers, askedOf, latest, read, written } from "./answers";
+import { itemsWithNames } from "./names";
 import {
   EMPTY,
   fits,
@@ -18,6 +19,7 @@ const SHEET: Sheet = {
   lessons: ["e12", "e7"],
   shapes: ["gasket"],
   links: ["learn/e7/at=question&guess=0.3", "v=1&a=koch"],
+  names: { "link:2": "From gasket to Koch" },
   tasks: { e7: "When do they part? <b>&", "shape:gasket": "Drei Äpfel" },
 };
 
@@ -41,6 +43,23 @@ describe("a sheet", () => {
     const found = sheetIn(sheetAddress({ ...SHEET, tasks }))?.sheet.tasks ?? {};
     expect(Object.keys(found)).toEqual(["e12"]);
     expect(found["e12"]).toBe(`a b ${"x".repeat(136)}`);
+  });
+
+  it("keeps what links are called, and no more names than there are links", () => {
+    const names = {
+      "link:1": "  ",
+      "link:2": `a\nb ${"x".repeat(300)}`,
+      "link:3": "not on it",
+      e7: "no link",
+    };
+    const found = sheetIn(sheetAddress({ ...SHEET, names }))?.sheet.names ?? {};
+    expect(Object.keys(found)).toEqual(["link:2"]);
+    expect(found["link:2"]).toBe(`a b ${"x".repeat(56)}`);
+    expect(
+      itemsWithNames({ ...SHEET, shapes: [] })
+        .map(({ name }) => name)
+        .slice(2),
+    ).toEqual(["Lesson 17, Straight on, or led, as it was set", "From gasket to Koch"]);
   });
 
   it("is told from what no link holds", () => {
@@ -82,6 +101,7 @@ const ANSWERS: Answers = {
       exercises: [1, 2],
       guess: "0.35",
       right: false,
+      truth: "0.4",
       name: "Lesson 5",
       answer: "0.4",
     },

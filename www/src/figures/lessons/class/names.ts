@@ -35,7 +35,14 @@ export function nameOf(item: string): string {
   return lessonName(item) ?? item;
 }
 
-export function itemsWithNames({ lessons, shapes, links, tasks }: Sheet): Item[] {
+/** What a link is called that its sheet has no name for; `i` is its place. */
+export function plainLinkName(link: string, i: number): string {
+  const [, id = ""] = /^learn\/(e\d+)/.exec(link) ?? [];
+  const name = lessonName(id);
+  return name === null ? `Link ${i + 1}` : `${name}, as it was set`;
+}
+
+export function itemsWithNames({ lessons, shapes, links, names, tasks }: Sheet): Item[] {
   const taskOf = (key: string) => tasks[key] ?? "";
   const unknown = "not in this version of Frond";
   return [
@@ -57,14 +64,9 @@ export function itemsWithNames({ lessons, shapes, links, tasks }: Sheet): Item[]
       return { key, name, href, task: taskOf(key) || SHAPE_TASK, shape: id };
     }),
     ...links.map((link, i) => {
-      const [, id = ""] = /^learn\/(e\d+)/.exec(link) ?? [];
-      const name = lessonName(id);
-      return {
-        key: `link:${i + 1}`,
-        name: name === null ? `Link ${i + 1}` : `${name}, as it was set`,
-        href: `#${link}`,
-        task: taskOf(`link:${i + 1}`),
-      };
+      const key = `link:${i + 1}`;
+      const name = names[key]?.trim() || plainLinkName(link, i);
+      return { key, name, href: `#${link}`, task: taskOf(key) };
     }),
   ];
 }

@@ -14,7 +14,7 @@ import css from "./class.module.css";
 import { Handed } from "./handed/handed";
 import { draft, keepDraft } from "./kept";
 import { Lessons } from "./lessons";
-import { itemsWithNames } from "./names";
+import { itemsWithNames, plainLinkName } from "./names";
 import { EMPTY, fits, itemsOf, linksIn, MOST, type Sheet, sheetAddress, sheetIn, sheetOfLink } from "./sheet";
 
 /** Where a teacher makes a sheet for a class, and opens what comes back. */
@@ -106,6 +106,23 @@ function Make() {
               onInput={({ currentTarget }) => setPasted(currentTarget.value)}
             />
           </label>
+          {links.map((link, i) => {
+            const key = `link:${i + 1}`;
+            return (
+              <label key={key} class={fieldCss["field"]}>
+                What your class sees link {i + 1} called
+                <input
+                  type="text"
+                  maxLength={MOST.name}
+                  placeholder={plainLinkName(link, i)}
+                  value={sheet.names[key] ?? ""}
+                  onInput={({ currentTarget }) =>
+                    setSheet({ ...sheet, names: { ...sheet.names, [key]: currentTarget.value } })
+                  }
+                />
+              </label>
+            );
+          })}
           {wrong.length > 0 && (
             <p role="status" class={layout["missing"]}>
               {wrong.length === 1 ? "One line is" : `${wrong.length} lines are`} left out: no link of Frond,
