@@ -86,13 +86,22 @@ test("a handout asks and does not tell, and has its answers on a page of their o
   await expect(page.getByText("Exercise 2", { exact: true })).toBeVisible();
   await expect(solutions).toBeHidden();
   await paper("afterprint");
-  // Nor with what is for teachers open, as long as its answers are not.
+  // Nor where the page shows them: the browser's own print does not ask.
   await page.getByText("For teachers", { exact: true }).click();
   await paper("beforeprint");
   await expect(solutions).toBeHidden();
+  await expect(page.getByRole("img", { name: "QR code of the link", includeHidden: true })).toBeVisible();
+  await expect(page.getByText(/some\/folder\/#learn\/e6$/)).toBeVisible();
+  await paper("afterprint");
+  await expect(page.getByText(/some\/folder\/#learn\/e6$/)).toHaveCount(0);
+  await page.evaluate(() => {
+    document.documentElement.dataset["handout"] = "all";
+  });
+  await paper("beforeprint");
   await expect(page.getByTestId("truth")).toHaveCount(0);
   await expect(page.getByRole("radio", { checked: true })).toHaveCount(0);
   await expect(page.getByRole("button", { name: "A hint" }).first()).toBeHidden();
+  await expect(solutions).toBeVisible();
   // What asks for a slider has another exercise in its place.
   await expect(page.getByText(/^Choose the turn/)).toBeHidden();
   await expect(page.getByText(/^A letter is turned by some angle/)).toBeVisible();
@@ -108,7 +117,7 @@ test("a handout asks and does not tell, and has its answers on a page of their o
   await page.getByRole("button", { name: "Show the answers" }).click();
   await expect(solutions).toBeVisible();
   await paper("beforeprint");
-  await expect(solutions).toBeVisible();
+  await expect(solutions).toBeHidden();
   await paper("afterprint");
   // What is printed is chosen, whatever the page shows.
   await page.evaluate(() => {
@@ -134,6 +143,7 @@ test("a sheet goes to a class, and its answers come back as a table", async ({ p
   await expect(page.getByRole("textbox", { name: "Gasket", exact: true })).toHaveValue(/^Count/);
   await page.getByLabel("Links that you have copied").fill("https://x/#learn/e7/at=question nonsense");
   await expect(page.getByText("One line is left out")).toBeVisible();
+  await page.getByLabel("What your class sees link 1 called").fill("Where do they part?");
   await expect(page.getByRole("img", { name: "QR code of the link" })).toBeVisible();
   await expectClean(page);
   await page.getByRole("link", { name: "See it as your class does" }).click();
@@ -150,6 +160,7 @@ test("a sheet goes to a class, and its answers come back as a table", async ({ p
   await page.getByLabel("Your name").fill("Ana");
   await page.getByLabel(/What did you find\? .*Two pieces/).fill("They part below 0.4");
   await expect(page.getByText("Count its <b>copies</b>")).toBeVisible();
+  await expect(page.getByRole("link", { name: "Where do they part?" })).toBeVisible();
   await page.getByRole("checkbox", { name: "done" }).first().check();
   // What was written is there after a visit elsewhere.
   await page.getByRole("link", { name: /Two pieces that touch/ }).click();
@@ -180,8 +191,11 @@ test.describe(() => {
   test("what a class has handed in stays in the teacher's browser, and is saved and printed", async ({
     page,
   }) => {
-    const item = { item: "e1", done: true, exercises: [1], guess: "", answer: "They part below 0.4" };
-    const answers = { kind: "frond answers", version: 1, name: "Ana", title: "Class 9b", items: [item] };
+    const item = { item: "e1", done: true, exercises: [1], answer: "They part below 0.4" };
+    const wrong = { ...item, guess: "0.42", right: false, truth: "0.4" };
+    const open = { item: "e3", done: false, exercises: [], guess: "", answer: "A line for each" };
+    const items = [wrong, open];
+    const answers = { kind: "frond answers", version: 1, name: "Ana", title: "Class 9b", items };
     await page.goto("./#learn/class");
     await page.getByLabel("Files of answers").setInputFiles([
       { name: "ana.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(answers)) },
@@ -198,8 +212,13 @@ test.describe(() => {
     ]);
     expect(table.suggestedFilename()).toBe("answers-class-9b.csv");
     expect(await readFile(await table.path(), "utf8")).toContain('"They part below 0.4"');
+    // Right or wrong is said in words, with what is so; what is written is an answer.
+    await expect(row).toContainText("wrong");
+    await expect(row).toContainText("it is: 0.4");
+    await expect(row).not.toContainText("not yet");
     await page.emulateMedia({ media: "print" });
     await expect(row).toBeVisible();
+    await expect(page.getByText("Class 9b", { exact: true })).toBeVisible();
     await expect(page.getByRole("heading", { name: "Make a sheet" })).toBeHidden();
     await page.emulateMedia({ media: null });
     await page.getByRole("button", { name: "Clear the table" }).click();

@@ -43,6 +43,7 @@ export function StatePicture({ system, state, box, level, label }: StatePictureP
     <canvas
       ref={canvas}
       class={picture["figure-picture"]}
+      data-flat=""
       data-complete={args !== null && answer?.about === args && answer.result ? "" : undefined}
       {...pictured(label)}
     />

@@ -1,6 +1,7 @@
 /** Paper is light: pictures that a script has drawn for a dark page are drawn anew before the page is printed. */
 import { options } from "preact";
 import { dark, setTheme, type Theme, theme } from "#document/preferences";
+import { lighten } from "../picture/recolour";
 
 /** From now on, until what it gives is called. */
 export function printLight(): () => void {
@@ -16,10 +17,11 @@ export function printLight(): () => void {
 /** The theme to go back to. */
 let before: Theme | null = null;
 
-/** At once; a picture that a worker draws follows a moment later. */
+/** At once; a picture that a worker draws is recoloured until it follows a moment later. */
 export function beLight(): void {
   if (!dark.peek() || before !== null) return;
   before = theme.peek();
+  for (const canvas of document.querySelectorAll<HTMLCanvasElement>("canvas[data-flat]")) lighten(canvas);
   atOnce(() => setTheme("light", { keep: false }));
 }
 

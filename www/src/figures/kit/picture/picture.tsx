@@ -70,6 +70,7 @@ export function Picture({
     <canvas
       ref={canvas}
       class={css["figure-picture"]}
+      data-flat=""
       data-complete={task !== null && shown === task && !coarse ? "" : undefined}
       {...pictured(label)}
     />

@@ -1,3 +1,4 @@
+import { signal } from "@preact/signals";
 import { createContext } from "preact";
 import { type StateUpdater, useContext, useLayoutEffect, useState } from "preact/hooks";
 import type { Field } from "./fields";
@@ -5,6 +6,9 @@ import { PageState } from "./page-state";
 
 /** The page that one is in. Small pictures and tests are in none: there nothing is opened, and nothing kept. */
 export const Page = createContext<PageState>(new PageState());
+
+/** Values whose names it finds are seen as they are at first, whatever they were set to: those of exercises on paper. */
+export const seenAtFirst = signal<RegExp | null>(null);
 
 /** How a value begins, and how it is written: what `useKept` is given besides its name. */
 export const kept = <T>(first: T, field: Field<T>): readonly [first: T, field: Field<T>] => [first, field];
@@ -22,7 +26,8 @@ export function useKept<T>(
   const [value, setValue] = useState<T>(() => page.opened(name, field) ?? first);
   const text = field.write(value);
   useNoted(name, text === field.write(first) ? null : text);
-  return [value, setValue];
+  const asAtFirst = seenAtFirst.value?.test(name) ?? false;
+  return [asAtFirst ? first : value, setValue];
 }
 
 /** Notes a value of the page that is kept elsewhere; null where it is as it was at first. */

@@ -79,16 +79,23 @@ interface GuessProps {
   format: (value: number) => string;
   prediction: Prediction<number>;
   truth: number | null;
+  /** Whether no picture shows what it is set to: then paper has no use for it. */
+  undrawn?: boolean;
 }
 
 /** A question whose answer is a number, to be dragged to. Afterwards the truth is a mark on the same track. */
-export function Guess({ ask, label, symbol, min, max, step, format, prediction, truth }: GuessProps) {
+export function Guess(props: GuessProps) {
+  const { ask, label, symbol, min, max, step, format, prediction, truth, undrawn } = props;
   const { guess, shown } = prediction;
   const value = guess ?? min;
   const at = truth === null ? null : Math.min(1, Math.max(0, (truth - min) / (max - min)));
   const told = shown && truth !== null;
   return (
-    <fieldset class={`${css["choices"]} ${css["guess"]}`} disabled={shown}>
+    <fieldset
+      class={`${css["choices"]} ${css["guess"]}`}
+      disabled={shown}
+      data-undrawn={undrawn ? "" : undefined}
+    >
       <legend>{ask}</legend>
       <SliderControl
         label={shown ? "Your guess" : label}

@@ -38,7 +38,7 @@ export function Lesson(props: LessonProps) {
   return (
     <LessonId.Provider value={props.id}>
       <div class={css["first"]} data-part="copies">
-        <Whose />
+        <Whose lesson={props.id} />
         <Head
           number={props.number}
           title={props.title}
@@ -161,7 +161,7 @@ export function Question(props: QuestionProps) {
         {beside !== undefined && <div class={layout["panel"]}>{beside}</div>}
         <div class={css["ask"]}>
           {children}
-          <Room lines={beside === undefined ? 4 : 2} />
+          <Room lines={beside === undefined ? 4 : 2} most={7} />
           <div class={`${layout["buttons"]} ${css["look"]}`}>
             <Button kind={shown ? "plain" : "primary"} disabled={!said} onClick={shown ? again : look}>
               {shown ? "Think again" : "Show me"}

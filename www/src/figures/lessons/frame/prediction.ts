@@ -27,7 +27,7 @@ export function usePrediction<T>(first: T | null, kept: Field<T>): Prediction<T>
   const covered = useValue(paper);
   return {
     guess: covered ? first : guess,
-    said,
+    said: said && !covered,
     // There is nothing to compare the truth with before a guess.
     shown: shown && said && !covered,
     say(next) {

@@ -50,7 +50,7 @@ export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
     };
   }, [covered]);
   return (
-    <details class={css["teaching"]} ref={fold} data-part="answers" data-told={told ? "" : undefined}>
+    <details class={css["teaching"]} ref={fold} data-part="answers">
       <summary>For teachers</summary>
       <div>
         <p class={css["paper-name"]}>Answers, and words for teachers: {lesson}</p>

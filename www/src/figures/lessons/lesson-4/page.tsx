@@ -146,7 +146,7 @@ function When({ prediction }: { prediction: Prediction<number> }) {
   const all = useMemo(() => barnsley(ASKED, MOST_ROUNDS), []);
   const truth = all.at(-1)?.n ?? 0;
   const marks = [
-    { at: guess, name: `your guess, ${guess}`, guess: true },
+    ...(prediction.said ? [{ at: guess, name: `your guess, ${guess}`, guess: true }] : []),
     ...(shown ? [{ at: truth, name: `proved, ${truth}` }] : []),
   ];
   return (
@@ -169,6 +169,7 @@ function When({ prediction }: { prediction: Prediction<number> }) {
     >
       <Guess
         ask={`Now r = ${ASKED}. The pieces are nearer to each other: the gap is only a fiftieth. At which n will they be proved apart?`}
+        undrawn
         label="Step"
         symbol="n"
         min={0}

@@ -150,8 +150,12 @@ export function Handed() {
         </p>
       ) : (
         <>
+          <p class={css["table-title"]} aria-hidden="true">
+            {title || "Class sheet"}
+          </p>
           <p class={css["handed-in"]}>
-            {called(title)}: {shown.length} handed in, the last on {dayOf(shown)}
+            <span class={css["screen"]}>{called(title)}: </span>
+            {shown.length} handed in, the last on {dayOf(shown)}
           </p>
           <Table all={shown} />
           <p class={`${layout["hint"]} ${css["screen"]}`}>

@@ -1,6 +1,7 @@
 /** A lesson on paper: nothing is guessed and nothing told, and what a teacher wants to know is on a page of its own. */
-import { signal } from "@preact/signals";
+import { batch, signal } from "@preact/signals";
 import { atOnce, beAsBefore, beLight } from "../../../kit/frame/print";
+import { seenAtFirst } from "../../../kit/state/kept";
 
 const on = signal(false);
 
@@ -40,14 +41,14 @@ export function printHandouts(): () => void {
 function set(is: boolean): void {
   const { dataset } = document.documentElement;
   // Before the page of the answers is opened for paper.
-  if (is) dataset["handout"] ??= chosen ?? seen();
+  // Where nothing was chosen, by the browser's own print, it is what pupils get: nobody prints answers unasked.
+  if (is) dataset["handout"] ??= chosen ?? "copies";
   else delete dataset["handout"];
-  on.value = is;
-}
-
-/** Where nothing was chosen, answers are printed only if the page shows them. */
-function seen(): Part {
-  return document.querySelector("article details[data-part=answers][data-told][open]") ? "all" : "copies";
+  batch(() => {
+    on.value = is;
+    // A handout has exercises as they begin, and not what somebody made of them on the page.
+    seenAtFirst.value = is ? /^x\d/ : null;
+  });
 }
 
 const drawn = () => document.querySelectorAll("article canvas[data-complete]").length;
