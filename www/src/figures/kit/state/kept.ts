@@ -7,7 +7,7 @@ import { PageState } from "./page-state";
 /** The page that one is in. Small pictures and tests are in none: there nothing is opened, and nothing kept. */
 export const Page = createContext<PageState>(new PageState());
 
-/** Values whose names it finds are seen as they are at first, whatever they were set to: those of exercises on paper. */
+/** Values whose names it finds are seen as they are at first, whatever they were set to: of exercises on paper. */
 export const seenAtFirst = signal<RegExp | null>(null);
 
 /** How a value begins, and how it is written: what `useKept` is given besides its name. */

@@ -27,7 +27,7 @@ interface Link {
   far: number;
 }
 
-/** The largest one beside the chosen, whose outline is x0, y0, x1, y1, .. in pixels, y down; null where there is none. */
+/** The largest one beside the chosen, whose outline is x0, y0, x1, y1, .. in pixels, y down; null without any. */
 export function nearPart(mask: Masked, chosen: number, outline: ArrayLike<number>): NearPart | null {
   const own = mask.components[chosen];
   if (!own || outline.length < 6) return null;
