@@ -2,7 +2,7 @@ import { useState } from "preact/hooks";
 import { type Field, flag, oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
-import { paper } from "./handout/paper";
+import { inTime, paper } from "./handout/paper";
 
 /** What somebody expects to see, and whether they have looked. */
 export interface Prediction<T> {
@@ -11,6 +11,8 @@ export interface Prediction<T> {
   /** Whether it was made: what a slider begins with is no guess. */
   said: boolean;
   shown: boolean;
+  /** Whether its picture still shows another guess. */
+  stale: boolean;
   /** Changes the guess; once the truth is shown it stays as it was made. */
   say(guess: T): void;
   show(): void;
@@ -25,9 +27,11 @@ export function usePrediction<T>(first: T | null, kept: Field<T>): Prediction<T>
   const [guess, setGuess] = useState(opened ?? first);
   const [said, setSaid] = useState(opened !== null);
   const covered = useValue(paper);
+  const drawn = useValue(inTime);
   return {
     guess: covered ? first : guess,
     said: said && !covered,
+    stale: said && covered && !drawn,
     // There is nothing to compare the truth with before a guess.
     shown: shown && said && !covered,
     say(next) {

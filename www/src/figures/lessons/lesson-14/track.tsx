@@ -44,10 +44,10 @@ export function Track({ points, reach, middle = [0.5, 0.5], label }: TrackProps)
             <text
               class={css["name"]}
               x={isAbove ? -10 : 10}
-              y={isMiddle ? -16 : -8}
+              y={isMiddle ? -26 : -8}
               text-anchor={isAbove ? "end" : "start"}
             >
-              {isMiddle ? "start, close to the middle" : "start"}
+              start
             </text>
           </g>
         )}

@@ -14,6 +14,9 @@ let chosen: Part | null = null;
 /** Whether the lesson is on its way to paper, where guesses and answers are covered. */
 export const paper = on;
 
+/** Whether pictures have the time to follow: the browser's own print takes them as they stand. */
+export const inTime = signal(false);
+
 /** The paper that there is, whatever its size: lessons are no pictures that have to keep their place. */
 const PAGE = "@media print { @page { size: auto; margin: 14mm } }";
 
@@ -46,8 +49,9 @@ function set(is: boolean): void {
   else delete dataset["handout"];
   batch(() => {
     on.value = is;
+    inTime.value = is && chosen !== null;
     // A handout has exercises as they begin, and not what somebody made of them on the page.
-    seenAtFirst.value = is ? /^x\d/ : null;
+    seenAtFirst.value = inTime.value ? /^x\d/ : null;
   });
 }
 
