@@ -18,7 +18,7 @@ export const knotted = signal<((ends: Ends) => Ends) | null>(null);
 /** The curves of the document, as they are drawn. */
 export const curves: ReadonlySignal<Ends | null> = computed(() => {
   const now = inDocument.value;
-  return (now && curvesReady.value && knotted.value?.(now)) || now;
+  return (now && knotted.value?.(now)) ?? now;
 });
 
 /** Whether there are curves in place of systems. */

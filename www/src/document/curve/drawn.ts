@@ -1,6 +1,6 @@
 /** What a link says of a spline as a closed curve that is drawn: fetched with what draws it. */
 import type { Curve, CurveShape, Scene } from "#wasm/api";
-import { rough } from "#wasm/curve";
+import { curvesReady, rough } from "#wasm/curve";
 import { notify, wordsOf } from "../notice";
 import { centred } from "./centred";
 
@@ -13,8 +13,12 @@ export function drawn(shape: CurveShape): CurveShape {
   return spline === undefined || curve.knots.length > 0 ? shape : { ...shape, curve: takenSpline(spline) };
 }
 
-/** Both ends of a morph; two of one word are one curve. A word that is none is told, and nothing is drawn. */
+/**
+ * Both ends of a morph, as they are until curves can be read; two of one word are one curve. A word that is none is
+ * told, and nothing is drawn.
+ */
 export function drawnEnds(ends: NonNullable<Scene["curves"]>): NonNullable<Scene["curves"]> {
+  if (!curvesReady.value) return ends;
   try {
     const [a, b] = [drawn(ends.a), drawn(ends.b)];
     return { a, b: b.spline !== undefined && b.spline === a.spline ? { ...b, curve: a.curve } : b };
