@@ -11,9 +11,10 @@ use super::random_walk::{Known, RandomWalk};
 use super::stroke::Stroke;
 use super::working_picture::WorkingPicture;
 
-/// How much the cube root of light differs on the ground, for a shadow, and on a leaf.
-const GROUND_SHADE: f64 = 0.13;
-const LEAF_SHADE: f64 = 0.05;
+/// How much the cube root of light differs on the ground, towards dark for a shadow and towards light, and on a leaf:
+/// what is lighter than the ground may well be a leaf that shines.
+const GROUND_SHADE: [f64; 2] = [0.13, 0.03];
+const LEAF_SHADE: [f64; 2] = [0.05, 0.05];
 
 /// How far from the ground's colours the line may be drawn, in spreads.
 const LINE: (f64, f64) = (2.6, 6.0);
@@ -73,7 +74,7 @@ impl ColourCut {
     /// How much each pixel of the working size is leaf, 0 to 1. `more` is how much likelier leaf is than it seems, by
     /// its logarithm.
     pub fn inside(&self, hints: &[Stroke], more: f64) -> Vec<f32> {
-        let hints = Hints::new(&self.picture, hints);
+        let mut hints = Hints::new(&self.picture, hints);
         let first = |i: usize| match hints.near[i] {
             near if near > LIKE => 1.0,
             near if near < -LIKE => 0.0,
@@ -81,7 +82,11 @@ impl ColourCut {
         };
         let mut inside: Vec<f32> = (0..self.palette.of.len()).map(first).collect();
         for round in 0..=ROUNDS {
-            let known = self.known(&inside, &hints, more, round == 0);
+            let likely = self.likely(&inside, &hints, round == 0);
+            if round == 0 && hints.any() {
+                hints.spread(&self.picture, |i| part(likely[self.palette.of[i] as usize]));
+            }
+            let known = self.known(&likely, &hints, more);
             inside = self.walk.solve(&known);
         }
         inside
@@ -95,9 +100,9 @@ impl ColourCut {
         100.0 * each.map(|(_, count)| count).sum::<f32>() > self.palette.of.len() as f32
     }
 
-    /// What is known of each pixel by the colours of what is leaf and ground so far, and by hints. Ground is always
-    /// what the border is, and at first nothing else but what was said to be.
-    fn known(&self, inside: &[f32], hints: &Hints, more: f64, first: bool) -> Vec<Known> {
+    /// How likely each colour is to be leaf, by its logarithm, from what is leaf and ground so far, and hints. Ground
+    /// is always what the border is, and at first nothing else but what was said to be.
+    fn likely(&self, inside: &[f32], hints: &Hints, first: bool) -> Vec<f64> {
         let colours = &self.palette.colours;
         let said = |sign: f32| self.palette.weights(|i| (sign * hints.near[i] - LIKE).max(0.0));
         let mut ground = self.ground.clone();
@@ -115,23 +120,32 @@ impl ColourCut {
         }
         teach(&mut leaf, &said);
         let leaf = ColourModel::new(colours, &leaf, LEAF_SHADE);
-        let likely: Vec<f64> = colours
+        colours
             .iter()
             .map(|&colour| match (leaf.is_empty(), ground.is_empty()) {
                 (true, _) => -MOST_SAID,
                 (false, true) => MOST_SAID,
                 _ => (leaf.density(colour) / ground.density(colour)).ln().clamp(-MOST_SAID, MOST_SAID),
             })
-            .collect();
+            .collect()
+    }
+
+    /// What is known of each pixel by colours and hints.
+    fn known(&self, likely: &[f64], hints: &Hints, more: f64) -> Vec<Known> {
         let known = |i: usize| {
             if let Some(leaf) = hints.said[i] {
                 return Known::Certain(if leaf { 1.0 } else { 0.0 });
             }
             let says = likely[self.palette.of[i] as usize] + HINTED * f64::from(hints.near[i]) + more;
-            Known::Likely((1.0 / (1.0 + (-says).exp())) as f32)
+            Known::Likely(part(says))
         };
-        (0..inside.len()).map(known).collect()
+        (0..self.palette.of.len()).map(known).collect()
     }
+}
+
+/// How likely it is that is so much likelier than not, by its logarithm.
+fn part(says: f64) -> f32 {
+    (1.0 / (1.0 + (-says).exp())) as f32
 }
 
 /// A hint is small, and means what is like it elsewhere as well: together hints have a share of all.

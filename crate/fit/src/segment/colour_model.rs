@@ -24,8 +24,9 @@ const ANYTHING: f64 = 0.02 / 0.09;
 #[derive(Clone, Debug)]
 struct Bell {
     middle: DVec3,
-    /// Of what is farther from it by this form than by another it is less likely.
-    inverse: DMat3,
+    /// Of what is farther from it by this form than by another it is less likely: of what is darker, and of what is
+    /// lighter.
+    inverse: [DMat3; 2],
     /// Its share divided by the root of the determinant.
     height: f64,
 }
@@ -42,10 +43,19 @@ fn outer(p: DVec3) -> DMat3 {
     DMat3::from_cols(p * p.x, p * p.y, p * p.z)
 }
 
+impl Bell {
+    /// The square of how far a colour is from its middle, in spreads.
+    fn far(&self, colour: DVec3) -> f64 {
+        let off = colour - self.middle;
+        let lighter = usize::from(off.dot(self.middle) > 0.0);
+        off.dot(self.inverse[lighter] * off)
+    }
+}
+
 impl ColourModel {
-    /// Of colours with their weights. `shade` is how much light differs, by its cube root: in a shadow or in a corner a
-    /// bell goes on along the ray to black. Empty where nothing has weight.
-    pub fn new(colours: &[Oklab], weights: &[f32], shade: f64) -> Self {
+    /// Of colours with their weights. `shade` is how much light differs, by its cube root, towards dark and towards
+    /// light: in a shadow or in a corner a bell goes on along the ray to black. Empty where nothing has weight.
+    pub fn new(colours: &[Oklab], weights: &[f32], shade: [f64; 2]) -> Self {
         let owners = groups(colours, weights);
         let all: f64 = weights.iter().copied().map(f64::from).sum();
         let count = if all > 0.0 { owners.iter().max().map_or(0, |most| most + 1) } else { 0 };
@@ -62,11 +72,11 @@ impl ColourModel {
             let middle = of().map(|(c, w)| c * w).sum::<DVec3>() / weight;
             let spread = of().fold(DMat3::ZERO, |sum, (c, w)| sum + outer(c - middle) * w) * (1.0 / weight);
             let least = DMat3::from_diagonal(LEAST_SPREAD * LEAST_SPREAD);
-            let spread = spread + least + outer(middle) * (shade * shade);
-            let height = weight
-                / all
-                / (spread.determinant().max(1e-30) * (2.0 * std::f64::consts::PI).powi(3)).sqrt();
-            Some(Bell { middle, inverse: spread.inverse(), height })
+            let spreads = shade.map(|shade| spread + least + outer(middle) * (shade * shade));
+            let root = |spread: &DMat3| spread.determinant().max(1e-30).sqrt();
+            let wide = 0.5 * spreads.iter().map(root).sum::<f64>();
+            let height = weight / all / (wide * (2.0 * std::f64::consts::PI).powf(1.5));
+            Some(Bell { middle, inverse: spreads.map(|spread| spread.inverse()), height })
         };
         Self((0..count).filter_map(bell).collect())
     }
@@ -78,20 +88,14 @@ impl ColourModel {
     /// How likely a colour is.
     pub fn density(&self, colour: Oklab) -> f64 {
         let colour = vector(colour);
-        let each = self.0.iter().map(|bell| {
-            let off = colour - bell.middle;
-            bell.height * (-0.5 * off.dot(bell.inverse * off)).exp()
-        });
+        let each = self.0.iter().map(|bell| bell.height * (-0.5 * bell.far(colour)).exp());
         each.sum::<f64>() + ANYTHING
     }
 
     /// How far a colour is from the nearest bell, in spreads.
     pub fn distance(&self, colour: Oklab) -> f64 {
         let colour = vector(colour);
-        let each = self.0.iter().map(|bell| {
-            let off = colour - bell.middle;
-            off.dot(bell.inverse * off)
-        });
+        let each = self.0.iter().map(|bell| bell.far(colour));
         each.fold(f64::INFINITY, f64::min).max(0.0).sqrt()
     }
 }
@@ -145,22 +149,26 @@ mod tests {
 
     #[test]
     fn a_shadow_is_of_the_ground_and_a_leaf_is_not() {
-        let desk = ColourModel::new(&[DESK], &[1.0], 0.12);
+        let desk = ColourModel::new(&[DESK], &[1.0], [0.12; 2]);
         let shadow = DESK.map(|z| 0.8 * z);
         assert!(desk.distance(shadow) < 2.0, "{}", desk.distance(shadow));
         assert!(desk.distance(LEAF) > 4.0, "{}", desk.distance(LEAF));
+        // A shadow is not lighter.
+        let darker = ColourModel::new(&[DESK], &[1.0], [0.12, 0.0]);
+        assert_eq!(darker.distance(shadow), desk.distance(shadow));
+        assert!(darker.distance(DESK.map(|z| 1.15 * z)) > 1.5 * desk.distance(DESK.map(|z| 1.15 * z)));
         // Without shade it is another colour.
-        assert!(ColourModel::new(&[DESK], &[1.0], 0.0).distance(shadow) > 4.0);
+        assert!(ColourModel::new(&[DESK], &[1.0], [0.0; 2]).distance(shadow) > 4.0);
     }
 
     #[test]
     fn each_colour_of_a_mixture_is_likely() {
-        let both = ColourModel::new(&[DESK, LEAF, [0.2, 0.2, 0.2]], &[3.0, 1.0, 0.0], 0.0);
+        let both = ColourModel::new(&[DESK, LEAF, [0.2, 0.2, 0.2]], &[3.0, 1.0, 0.0], [0.0; 2]);
         for colour in [DESK, LEAF] {
             assert!(both.distance(colour) < 0.1 && both.density(colour) > 100.0);
         }
         assert!(both.density([0.2, 0.2, 0.2]) < 1.0);
-        assert!(ColourModel::new(&[DESK], &[0.0], 0.1).is_empty());
-        assert!(ColourModel::new(&[], &[], 0.1).is_empty());
+        assert!(ColourModel::new(&[DESK], &[0.0], [0.1; 2]).is_empty());
+        assert!(ColourModel::new(&[], &[], [0.1; 2]).is_empty());
     }
 }

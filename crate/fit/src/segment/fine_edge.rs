@@ -76,32 +76,34 @@ pub fn fine_edge(
         let part = if leaf { inside[i] } else { 1.0 - inside[i] };
         (part - 0.6).max(0.0)
     };
-    let mean = |leaf: bool| -> Vec<[f32; 4]> {
+    let sums = |leaf: bool| -> Vec<[f32; 5]> {
+        let square = |i: usize| picture.light[i].iter().map(|z| z * z).sum::<f32>();
         let sums: Vec<Vec<f32>> = (0..3)
             .map(|k| plane(&|i| sure(i, leaf) * picture.light[i][k]))
-            .chain([plane(&|i| sure(i, leaf))])
+            .chain([plane(&|i| sure(i, leaf)), plane(&|i| sure(i, leaf) * square(i))])
             .collect();
-        (0..inside.len()).map(|i| [sums[0][i], sums[1][i], sums[2][i], sums[3][i]]).collect()
+        (0..inside.len()).map(|i| std::array::from_fn(|k| sums[k][i])).collect()
     };
-    let (leaf, ground) = (mean(true), mean(false));
+    let (leaf, ground) = (sums(true), sums(false));
+    let border = at_edge(picture, inside);
     let linear = Linear::new();
     let mut out = Vec::with_capacity(width * height);
     for y in 0..height {
         for x in 0..width {
             let places = Plane::places(picture, x, y);
             let value: f32 = places.iter().map(|&(i, part)| part * inside[i]).sum();
-            if !(0.03..0.97).contains(&value) {
+            if !(0.03..0.97).contains(&value) && !places.iter().any(|&(i, part)| part > 0.0 && border[i]) {
                 out.push((255.0 * value.clamp(0.0, 1.0)).round() as u8);
                 continue;
             }
-            let read = |of: &[[f32; 4]]| -> Option<[f32; 3]> {
-                let sum: [f32; 4] =
+            let read = |of: &[[f32; 5]]| -> Option<Seen> {
+                let sum: [f32; 5] =
                     std::array::from_fn(|k| places.iter().map(|&(i, part)| part * of[i][k]).sum::<f32>());
-                (sum[3] > 0.05).then(|| [sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]])
+                (sum[3] > 0.05).then(|| Seen::new(sum))
             };
             let i = 4 * (y * width + x);
             let fine = match (read(&leaf), read(&ground)) {
-                (Some(leaf), Some(ground)) => mixed(linear.of(&rgba[i..i + 3]), leaf, ground, value),
+                (Some(leaf), Some(ground)) => mixed(linear.of(&rgba[i..i + 3]), &leaf, &ground, value),
                 _ => value,
             };
             out.push((255.0 * fine.clamp(0.0, 1.0)).round() as u8);
@@ -110,21 +112,63 @@ pub fn fine_edge(
     out
 }
 
-/// Which part of a colour is leaf; where leaf and ground are alike it is what it was taken for.
-fn mixed(colour: [f32; 3], leaf: [f32; 3], ground: [f32; 3], otherwise: f32) -> f32 {
+/// Which pixels at working size have leaf and ground within a pixel around them.
+fn at_edge(picture: &WorkingPicture, inside: &[f32]) -> Vec<bool> {
+    let (width, height) = (picture.width, picture.height);
+    let leaf = |i: usize| inside[i] > 0.5;
+    let both = |i: usize| {
+        let (x, y) = (i % width, i / width);
+        let mut around = (y.saturating_sub(1)..(y + 2).min(height))
+            .flat_map(|y| (x.saturating_sub(1)..(x + 2).min(width)).map(move |x| y * width + x));
+        around.any(|j| leaf(j) != leaf(i))
+    };
+    (0..inside.len()).map(both).collect()
+}
+
+/// What light comes from around a place.
+struct Seen {
+    mean: [f32; 3],
+    /// The square of how far it is from the mean.
+    spread: f32,
+}
+
+impl Seen {
+    /// Of the sums of red, green, blue, weights and squares.
+    fn new([r, g, b, all, square]: [f32; 5]) -> Self {
+        let mean = [r / all, g / all, b / all];
+        let spread = square / all - mean.iter().map(|z| z * z).sum::<f32>();
+        Self { mean, spread: spread.max(0.0) }
+    }
+}
+
+/// Which part of a colour is leaf; where leaf and ground are alike, or each is of many colours, it is what it was taken
+/// for.
+fn mixed(colour: [f32; 3], leaf: &Seen, ground: &Seen, otherwise: f32) -> f32 {
     let (mut along, mut long) = (0.0, 0.0);
-    for k in 0..3 {
-        let way = leaf[k] - ground[k];
-        along += (colour[k] - ground[k]) * way;
+    for ((here, leaf), ground) in colour.iter().zip(leaf.mean).zip(ground.mean) {
+        let way = leaf - ground;
+        along += (here - ground) * way;
         long += way * way;
     }
-    let least = TELLING * TELLING;
+    let least = TELLING * TELLING + leaf.spread + ground.spread;
     ((along + least * otherwise) / (long + least)).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn where_colours_are_many_the_cut_says_where_the_edge_is() {
+        // Columns of light and dark to the right, whose mean is not far from the leaf.
+        let light = |x: usize| if x < 50 { 0.5 } else { [0.1, 0.7][x % 2] };
+        let encode = |z: f64| (255.0 * (1.055 * z.powf(1.0 / 2.4) - 0.055)).round() as u8;
+        let rgba: Vec<u8> = (0..100 * 40).flat_map(|i| [encode(light(i % 100)); 4]).collect();
+        let picture = WorkingPicture::new(100, 40, &rgba);
+        let inside: Vec<f32> = (0..100 * 40).map(|i| if i % 100 < 50 { 0.9 } else { 0.1 }).collect();
+        let fine = fine_edge(&picture, &inside, 100, 40, &rgba);
+        assert!((0..100).all(|x| (fine[20 * 100 + x] > 127) == (x < 50)), "{:?}", &fine[2040..2060]);
+    }
 
     #[test]
     fn half_covered_pixels_are_half() {

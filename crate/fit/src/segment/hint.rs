@@ -15,6 +15,11 @@ const GROUND_REACH: f32 = 1.2;
 /// Colours that change by so much from pixel to pixel are as far as a hint goes.
 const EDGE: f32 = 0.08;
 
+/// What is likely to be leaf changes by so much from pixel to pixel without an edge, and beyond that by so much where a
+/// hint ends.
+const LIKELY_NOISE: f32 = 0.3;
+const LIKELY_EDGE: f32 = 0.33;
+
 /// Beyond so many times that nothing is left of a hint.
 const MOST: f32 = 4.0;
 
@@ -25,6 +30,8 @@ pub struct Hints {
     pub said: Vec<Option<bool>>,
     /// 1 for leaf to -1 for ground, less with the distance.
     pub near: Vec<f32>,
+    /// How far it reaches, in pixels, from each pixel that something was said of.
+    reach: Vec<f32>,
 }
 
 impl Hints {
@@ -41,13 +48,28 @@ impl Hints {
                 reach[i] = far.max(1.0);
             });
         }
+        let mut hints = Self { said, near: Vec::new(), reach };
+        hints.spread(picture, |_| 0.0);
+        hints
+    }
+
+    /// Whether anything was said.
+    pub fn any(&self) -> bool {
+        self.said.iter().any(Option::is_some)
+    }
+
+    /// Spreads them anew, and stops where it changes how likely it is to be leaf, 0 to 1, as well.
+    pub fn spread(&mut self, picture: &WorkingPicture, likely: impl Fn(usize) -> f32) {
         let noise = usual_step(picture);
         let fading = |leaf: bool| {
-            let from = (0..said.len()).filter(|&i| said[i] == Some(leaf)).map(|i| (i, reach[i])).collect();
-            spread(picture, from, noise)
+            let from = (0..self.said.len())
+                .filter(|&i| self.said[i] == Some(leaf))
+                .map(|i| (i, self.reach[i]))
+                .collect();
+            spread(picture, &likely, from, noise)
         };
         let near = fading(true).iter().zip(fading(false)).map(|(leaf, ground)| leaf - ground).collect();
-        Self { said, near }
+        self.near = near;
     }
 }
 
@@ -87,7 +109,12 @@ impl PartialOrd for Reached {
 
 /// 1 where it begins, and less the longer the way there is, where edges are long ways: geodesic distances (Bai & Sapiro
 /// 2007; Criminisi, Sharp & Blake 2008), by Dijkstra.
-fn spread(picture: &WorkingPicture, from: Vec<(usize, f32)>, noise: f32) -> Vec<f32> {
+fn spread(
+    picture: &WorkingPicture,
+    likely: impl Fn(usize) -> f32,
+    from: Vec<(usize, f32)>,
+    noise: f32,
+) -> Vec<f32> {
     let (width, height) = (picture.width, picture.height);
     let mut far = vec![MOST; width * height];
     let mut open = BinaryHeap::new();
@@ -105,7 +132,9 @@ fn spread(picture: &WorkingPicture, from: Vec<(usize, f32)>, noise: f32) -> Vec<
                 let next = ny * width + nx;
                 let long = if nx == x || ny == y { 1.0 } else { std::f32::consts::SQRT_2 };
                 let change = apart(picture.colours[at], picture.colours[next]).sqrt();
-                let there = here + long / reach + (change - noise).max(0.0) / EDGE;
+                let colours = (change - noise).max(0.0) / EDGE;
+                let kinds = ((likely(at) - likely(next)).abs() - LIKELY_NOISE).max(0.0) / LIKELY_EDGE;
+                let there = here + long / reach + colours + kinds;
                 if there < far[next] {
                     far[next] = there;
                     open.push(Reached { far: there, at: next, reach });
@@ -133,6 +162,11 @@ mod tests {
         assert!(at(&leaf, 10) > at(&leaf, 20) && at(&leaf, 24) > 0.02 && at(&leaf, 25) < 0.2 * at(&leaf, 24));
         let both = Hints::new(&picture, &[stroke(3.0, true), stroke(38.0, false)]);
         assert!(at(&both, 16) > 0.05 && at(&both, 30) < -0.2);
+        // The same colours are likely to be leaf as far as here.
+        let mut ends = Hints::new(&picture, &[stroke(3.0, true)]);
+        ends.spread(&picture, |i| if i % 40 < 12 { 0.95 } else { 0.1 });
+        assert_eq!(at(&ends, 10), at(&leaf, 10));
+        assert!(at(&ends, 13) < 0.3 * at(&leaf, 13));
         assert!(Hints::new(&picture, &[]).near.iter().all(|&near| near == 0.0));
     }
 }
