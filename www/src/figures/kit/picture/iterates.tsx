@@ -21,8 +21,8 @@ interface IteratesProps {
 
 /** A copy that is smaller than this, in pixels of the page, is drawn as a dot: thin lines in it would fade away. */
 const SMALL = 3;
-/** As small as a dot may be. */
-const DOT = 1.8;
+/** How large a dot is at least, and as large as it is made where copies lie far enough from each other. */
+const [DOT, WIDE_DOT] = [1.8, 3];
 const MARGIN = 0.06;
 
 /** A figure after so many steps: in each all that there is is copied by every map. */
@@ -44,13 +44,14 @@ export function Iterates({ maps, steps, start, box, label }: IteratesProps) {
           context.transform(1, 0, 0, -1, 0, 1);
           context.drawImage(start.picture, 0, 0, 1, 1);
         } else if (path && extent) {
-          const size = scale * Math.max(Math.hypot(a, c), Math.hypot(b, d)) * extent.size;
+          const apart = scale * Math.max(Math.hypot(a, c), Math.hypot(b, d));
+          const size = apart * extent.size;
           if (size >= SMALL * ratio) {
             context.fill(path);
             continue;
           }
           const [px, py] = extent.middle;
-          const side = Math.max(DOT * ratio, 0.8 * size);
+          const side = Math.max(DOT * ratio, Math.min(WIDE_DOT * ratio, apart / 3), 0.8 * size);
           context.setTransform(1, 0, 0, 1, 0, 0);
           context.fillRect(
             left + scale * (a * px + b * py) - side / 2,

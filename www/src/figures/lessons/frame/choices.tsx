@@ -94,7 +94,7 @@ export function Guess(props: GuessProps) {
     <fieldset
       class={`${css["choices"]} ${css["guess"]}`}
       disabled={shown}
-      data-undrawn={undrawn || prediction.stale ? "" : undefined}
+      data-undrawn={undrawn ? "" : undefined}
     >
       <legend>{ask}</legend>
       <SliderControl

@@ -11,8 +11,6 @@ export interface Prediction<T> {
   /** Whether it was made: what a slider begins with is no guess. */
   said: boolean;
   shown: boolean;
-  /** Whether its picture still shows another guess. */
-  stale: boolean;
   /** Changes the guess; once the truth is shown it stays as it was made. */
   say(guess: T): void;
   show(): void;
@@ -29,9 +27,9 @@ export function usePrediction<T>(first: T | null, kept: Field<T>): Prediction<T>
   const covered = useValue(paper);
   const drawn = useValue(inTime);
   return {
-    guess: covered ? first : guess,
+    // A number stays where its picture had no time to follow.
+    guess: covered && (drawn || typeof guess !== "number") ? first : guess,
     said: said && !covered,
-    stale: said && covered && !drawn,
     // There is nothing to compare the truth with before a guess.
     shown: shown && said && !covered,
     say(next) {
