@@ -122,6 +122,8 @@ struct BoxFill<'a> {
 
 /// Boxes of fewer open samples are not worth an attempt.
 const LEAST_OPEN: usize = 4;
+/// The same for telling pieces apart: of a few samples it mostly takes longer, and fails.
+const LEAST_OPEN_TO_PART: usize = 8;
 /// The same for crossings, which take longer to find.
 const LEAST_OPEN_TO_CROSS: usize = 40;
 /// Looks spent on telling the pieces of a box apart: so many, or more where its samples would take many on their own.
@@ -218,6 +220,9 @@ impl BoxFill<'_> {
                 self.cover(area, State::NoAttractor, |_, _| f32::NAN);
             }
             return proved;
+        }
+        if apart && open < LEAST_OPEN_TO_PART && !self.family.is_set_m() {
+            return false;
         }
         let middle = self.sample(halfway(x0, x1), halfway(y0, y1));
         if apart != (middle.state == State::Disconnected) || whole != middle.state.holds() {
