@@ -57,7 +57,7 @@ fn bounds_hold_the_gap_and_the_ellipse_the_attractor() {
     for seed in 0..count {
         let maps = system(seed);
         let Ok(ifs) = Ifs::new(maps.clone()) else { continue };
-        for (epsilon, budget) in [(1e-3, 20_000), (1e-6, 20_000), (1e-6, 30)] {
+        for (epsilon, budget) in [(1e-3, 20_000), (1e-6, 20_000), (1e-12, 4)] {
             let known = decide_bounds(&maps, epsilon, budget, &mut scratch);
             let context = format!("{seed}: {known:?}");
             counts[known.sample.state as usize] += 1;

@@ -17,6 +17,9 @@ use crate::support::extremes::larger;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GreedySearch {
     lanes: Vec<Lane>,
+    /// The same words' linear parts, column by column, where some map is flat: else all pieces are as round as their
+    /// discs, and their sizes tell all.
+    flat: Vec<Linear>,
     /// The maps of the words that lead from a piece to its parts, one or several letters at once, and their norms.
     words: Vec<(Affine2, f64)>,
     /// The norms of the maps.
@@ -69,6 +72,12 @@ const NO_STEP: usize = usize::MAX;
 const SQUARE_TO_ENTER: f32 = 0.7;
 /// The same for a step that led to near points of another system: these are known to have been there.
 const SQUARE_TO_FOLLOW: f64 = 1.0;
+/// The same against how far the ellipses they lie in reach towards each other.
+const SQUARE_TO_ENTER_FLAT: f32 = 0.4;
+/// A map that shrinks areas by less than this part of the square of its norm is flat.
+const ROUND: f64 = 0.9;
+/// Keeps divisors above zero, where the sizes of two pieces add up to 1.
+const SMALLEST_DIVISOR: f32 = 1e-20;
 /// So many of its last steps are gone back.
 const STEPS_BACK: usize = 4;
 /// Steps from the end of such a way.
@@ -111,6 +120,19 @@ impl GreedySearch {
             }
             let [x, y, size, far] = [x, y, size, far].map(f32x4::new);
             self.lanes.push(Lane { x, y, size, far });
+        }
+        self.flat.clear();
+        let is_flat = |(map, norm): (&Affine2, &f64)| map.determinant().abs() < ROUND * norm * norm;
+        if frame.maps.iter().zip(&self.sizes).any(is_flat) {
+            self.flat.extend(self.words.chunks(4).map(|four| {
+                let mut linear = [[0.0; 4]; 4];
+                for (k, (map, _)) in four.iter().enumerate() {
+                    for (lanes, entry) in linear.iter_mut().zip(map.linear.to_cols_array()) {
+                        lanes[k] = entry as f32;
+                    }
+                }
+                Linear(linear.map(f32x4::new))
+            }));
         }
         let point = frame.maps.iter().find_map(|map| map.fixed_point());
         self.point = point.unwrap_or_default();
@@ -229,34 +251,47 @@ impl GreedySearch {
         None
     }
 
-    /// Scores of the two parts of the larger piece whose middles are nearest to that of the other piece, for their
-    /// size; with their numbers.
+    /// Scores of the two parts of the larger piece whose middles are nearest to that of the other piece, for how far
+    /// the two reach towards each other; with their numbers.
     #[inline(always)]
     fn nearest_parts(&self, pair: &TwoPieces, large: usize) -> (f32, f32) {
-        let m = pair.linear[large];
+        if self.flat.is_empty() { self.nearest_round(pair, large) } else { self.nearest_flat(pair, large) }
+    }
+
+    #[inline(always)]
+    fn nearest_round(&self, pair: &TwoPieces, large: usize) -> (f32, f32) {
+        let [xx, xy, yx, yy] = Linear::splat(pair.linear[large]).0;
         let apart = pair.apart * SIGN[large];
-        let splat = |x: f64| f32x4::splat(x as f32);
+        let [apart_x, apart_y] = [apart.x, apart.y].map(splat);
         let (size, other) = (splat(pair.size[large]), splat(pair.size[1 - large]));
-        let (apart_x, apart_y) = (splat(apart.x), splat(apart.y));
-        let [xx, xy, yx, yy] = [m.x_axis.x, m.x_axis.y, m.y_axis.x, m.y_axis.y].map(splat);
-        // The two least in each lane.
-        let (mut best, mut second) = (f32x4::splat(f32::MAX), f32x4::splat(f32::MAX));
-        let mut numbers = u32x4::new([0, 1, 2, 3]);
-        for lane in &self.lanes {
+        least_two(self.lanes.iter().map(|lane| {
             let x = apart_x + xx * lane.x + yx * lane.y;
             let y = apart_y + xy * lane.x + yy * lane.y;
             let r = size * lane.size + other;
-            let score = (x * x + y * y) / (r * r) + lane.far;
-            let score = f32x4::from_bits(score.to_bits() & u32x4::splat(!NUMBER_BITS) | numbers);
-            numbers += u32x4::splat(4);
-            // Where a score is no number, the other one is taken.
-            second = least(greatest(score, best), second);
-            best = least(score, best);
-        }
-        // The two least of all: each lane against the one beside it, then against one of the other two.
-        let two = two_least([best, second], |[a, b, c, d]| [b, a, d, c]);
-        let [best, second] = two_least(two, |[a, b, c, d]| [c, d, a, b]);
-        (best.to_array()[0], second.to_array()[0])
+            (x * x + y * y) / (r * r) + lane.far
+        }))
+    }
+
+    /// The attractor lies in the unit disc, so that the piece of a map `w` reaches as far along a vector `d` as
+    /// `|w^T d|`, over the length of `d`: much less across a flat piece than its size.
+    #[inline(always)]
+    fn nearest_flat(&self, pair: &TwoPieces, large: usize) -> (f32, f32) {
+        // Of about size 1: single precision has no room for squares of squares of what is small.
+        let unit = 1.0 / (pair.size[0] + pair.size[1]);
+        let [m, other] = [pair.linear[large], pair.linear[1 - large]].map(|m| Linear::splat(m * unit));
+        let apart = pair.apart * (SIGN[large] * unit);
+        let [apart_x, apart_y] = [apart.x, apart.y].map(splat);
+        let enter = f32x4::splat(SQUARE_TO_ENTER / SQUARE_TO_ENTER_FLAT);
+        least_two(self.lanes.iter().zip(&self.flat).map(|(lane, &linear)| {
+            let [x, y] = m.times([lane.x, lane.y]);
+            let between = [apart_x + x, apart_y + y];
+            let squared = square(between);
+            let part = square(linear.transposed_times(m.transposed_times(between)));
+            let whole = square(other.transposed_times(between));
+            // The square of the sum of the two reaches, times that of the length of `between`.
+            let reach = part + whole + f32x4::splat(2.0) * (part * whole).sqrt();
+            enter * squared * squared / (reach + f32x4::splat(SMALLEST_DIVISOR)) + lane.far
+        }))
     }
 
     /// Goes on to a part, if there is one of this number.
@@ -273,6 +308,57 @@ impl GreedySearch {
 }
 
 const SIGN: [f64; 2] = [1.0, -1.0];
+
+fn splat(x: f64) -> f32x4 {
+    f32x4::splat(x as f32)
+}
+
+/// The two least of all scores, with their numbers in the lowest bits.
+#[inline(always)]
+fn least_two(scores: impl Iterator<Item = f32x4>) -> (f32, f32) {
+    // The two least in each lane.
+    let (mut best, mut second) = (f32x4::splat(f32::MAX), f32x4::splat(f32::MAX));
+    let mut numbers = u32x4::new([0, 1, 2, 3]);
+    for score in scores {
+        let score = f32x4::from_bits(score.to_bits() & u32x4::splat(!NUMBER_BITS) | numbers);
+        numbers += u32x4::splat(4);
+        // Where a score is no number, the other one is taken.
+        second = least(greatest(score, best), second);
+        best = least(score, best);
+    }
+    // The two least of all: each lane against the one beside it, then against one of the other two.
+    let two = two_least([best, second], |[a, b, c, d]| [b, a, d, c]);
+    let [best, second] = two_least(two, |[a, b, c, d]| [c, d, a, b]);
+    (best.to_array()[0], second.to_array()[0])
+}
+
+/// The linear parts of four maps, column by column.
+#[derive(Clone, Copy, Debug)]
+struct Linear([f32x4; 4]);
+
+impl Linear {
+    #[inline(always)]
+    fn splat(m: DMat2) -> Self {
+        Self(m.to_cols_array().map(splat))
+    }
+
+    #[inline(always)]
+    fn times(self, [x, y]: [f32x4; 2]) -> [f32x4; 2] {
+        let [xx, xy, yx, yy] = self.0;
+        [xx * x + yx * y, xy * x + yy * y]
+    }
+
+    #[inline(always)]
+    fn transposed_times(self, [x, y]: [f32x4; 2]) -> [f32x4; 2] {
+        let [xx, xy, yx, yy] = self.0;
+        [xx * x + xy * y, yx * x + yy * y]
+    }
+}
+
+#[inline(always)]
+fn square([x, y]: [f32x4; 2]) -> f32x4 {
+    x * x + y * y
+}
 
 /// The lesser of each two; the second where one is NaN. The machines' own instructions differ in that.
 #[inline(always)]
