@@ -39,6 +39,7 @@ it("keeps what is so beside the guess that was made before, and beside no other"
   keepTruth("e1", "0.4", true, "0.4");
   expect([guessOf("e1"), rightOf("e1"), truthOf("e1")]).toEqual(["0.42", false, "0.4"]);
   keepTruth("e2", "0.5", true, "0.5");
+  keepTruth("e2", "", false, "0.5");
   expect([guessOf("e2"), rightOf("e2"), truthOf("e2")]).toEqual(["", null, ""]);
   clearGuesses();
   expect([rightOf("e1"), truthOf("e1")]).toEqual([null, ""]);

@@ -77,9 +77,10 @@ export function keepGuess(lesson: string, words: string): void {
 
 /** What is so, once it is known, beside the guess that was kept. */
 export function keepTruth(lesson: string, words: string, right: boolean, truth: string): void {
-  if (guessOf(lesson) !== words.slice(0, MOST_WORDS) || rightOf(lesson) !== null) return;
+  if (words === "" || truth === "" || rightOf(lesson) !== null) return;
+  if (guessOf(lesson) !== words.slice(0, MOST_WORDS)) return;
   write(RIGHT, keptRight().set(lesson, right));
-  if (truth !== "") write(TRUTH, keptTruth().set(lesson, truth.slice(0, MOST_WORDS)));
+  write(TRUTH, keptTruth().set(lesson, truth.slice(0, MOST_WORDS)));
 }
 
 function write(key: string, all: ReadonlyMap<string, string | boolean>): void {
@@ -112,8 +113,9 @@ export function guessWords(question: Element | null, guess: unknown): string {
 }
 
 /** What is so in the same words. */
-export function truthWords(question: Element | null, truth: string | number): string {
+export function truthWords(question: Element | null, truth: string | readonly string[] | number): string {
   if (typeof truth === "number") return String(Number(truth.toFixed(4)));
+  if (typeof truth !== "string") return truth.join("; ");
   const all = [...(question?.querySelectorAll<HTMLInputElement>("fieldset input") ?? [])];
   return all
     .filter(({ value }) => value === truth)

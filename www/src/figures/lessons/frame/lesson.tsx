@@ -105,8 +105,11 @@ function PrintMenu() {
 
 export interface QuestionProps {
   prediction: Prediction<unknown>;
-  /** What is so: an answer of those to choose from, or a number. Null while it is being found out. */
-  truth?: string | number | null;
+  /**
+   * What is so: an answer of those to choose from, what all those that are to be ticked are called, or a number. Null
+   * while it is being found out.
+   */
+  truth?: string | readonly string[] | number | null;
   /** How far a number may be from it and still be right. */
   within?: number;
   /** Whether there is something to look at beside the question; it stays in its place when the truth comes. */
@@ -132,12 +135,13 @@ export function Question(props: QuestionProps) {
   };
   useEffect(() => {
     if (!shown || truth === null) return;
+    const words = guessWords(question.current, guess);
+    const so = truthWords(question.current, truth);
     const right =
       typeof truth === "number" && typeof guess === "number"
         ? Math.abs(guess - truth) <= within + 1e-9
-        : guess === truth;
-    const words = guessWords(question.current, guess);
-    keepTruth(lesson, words, right, truthWords(question.current, truth));
+        : words === so;
+    keepTruth(lesson, words, right, so);
   }, [lesson, shown, guess, truth, within]);
   return (
     <section

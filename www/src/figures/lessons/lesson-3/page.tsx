@@ -40,6 +40,8 @@ const ANGLES = [Math.PI * 0.9, Math.PI * 0.65, Math.PI * 0.35, Math.PI * 0.1];
 const NAMED: Point = [0.5, 0.46];
 
 const key = ([i, j]: Pair) => `${i}-${j}`;
+const pairName = ([i, j]: Pair) => `${i + 1} and ${j + 1}`;
+const touches = (found: readonly Pair[], pair: Pair) => found.some((one) => key(one) === key(pair));
 const edge = ([i, j]: Pair): Edge => ({ between: [i, j], at: 0, pixel: 0 });
 
 /** The overlap graph. */
@@ -126,6 +128,7 @@ function Edges({ prediction }: { prediction: Prediction<readonly string[]> }) {
   return (
     <Question
       prediction={prediction}
+      truth={judged && PAIRS.filter((pair) => touches(found, pair)).map(pairName)}
       beside={
         <>
           <Pieces
@@ -151,7 +154,7 @@ function Edges({ prediction }: { prediction: Prediction<readonly string[]> }) {
               key={key(pair)}
               pair={pair}
               prediction={prediction}
-              truth={shown ? found.some(([i, j]) => i === pair[0] && j === pair[1]) : null}
+              truth={shown ? touches(found, pair) : null}
             />
           ))}
         </div>
@@ -184,9 +187,7 @@ function EdgeChoice({ pair, prediction, truth }: EdgeChoiceProps) {
         disabled={truth !== null}
         onChange={() => say(ticked ? (guess ?? []).filter((one) => one !== name) : [...(guess ?? []), name])}
       />
-      <span>
-        {pair[0] + 1} and {pair[1] + 1}
-      </span>
+      <span>{pairName(pair)}</span>
       {truth !== null && <span class={choicesCss["option-mark"]}>{truth ? "touch" : "apart"}</span>}
     </label>
   );
