@@ -102,9 +102,13 @@ export function clearGuesses(): void {
   }
 }
 
-/** What an answer is called that can be ticked. */
-const nameOf = (input: Element) =>
-  input.closest("label")?.querySelector("input + *")?.textContent?.trim() ?? "";
+/** What an answer is called that can be ticked: its words, without those of a drawing. */
+function nameOf(input: Element): string {
+  const name = input.closest("label")?.querySelector("input + *")?.cloneNode(true);
+  if (!(name instanceof Element)) return "";
+  for (const drawing of name.querySelectorAll("svg")) drawing.replaceWith(" ");
+  return (name.textContent ?? "").replace(/\s+/g, " ").trim();
+}
 
 /** A guess in words: what is ticked, as it is called, else the number. */
 export function guessWords(question: Element | null, guess: unknown): string {
