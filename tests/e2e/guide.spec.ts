@@ -118,6 +118,9 @@ test("the round leads over the real controls, by keyboard, and goes on where it 
   await page.keyboard.press("?");
   await page.getByRole("dialog").getByRole("button", { name: "Show me round" }).click();
   await expect(page.getByRole("heading", { name: "Now the straight way" })).toBeFocused();
+  // So does a page that was loaded anew in the midst of it.
+  await page.reload();
+  await expect(page.getByRole("heading", { name: "Now the straight way" })).toBeFocused();
   for (const title of ["The map says why", "Go round", "Ask why"]) {
     await page.getByRole("button", { name: "Next" }).click();
     await expect(page.getByRole("heading", { name: title })).toBeFocused();

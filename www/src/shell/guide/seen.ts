@@ -28,3 +28,24 @@ export function keepSeen(what: number | "seen"): void {
     // For this visit it is known without.
   }
 }
+
+const ROUND = "frond.round";
+
+/** The step at which this tab is in the midst of the round, so that it goes on there after a reload; null for none. */
+export function underWay(steps: number): number | null {
+  try {
+    const step = seenIn(sessionStorage.getItem(ROUND), steps);
+    return typeof step === "number" ? step : null;
+  } catch {
+    return null;
+  }
+}
+
+export function keepUnderWay(step: number | null): void {
+  try {
+    if (step === null) sessionStorage.removeItem(ROUND);
+    else sessionStorage.setItem(ROUND, String(step));
+  } catch {
+    // Then it begins where it was left.
+  }
+}

@@ -6,13 +6,13 @@ import { selection } from "#document/morph";
 import { play, playing, setT } from "#document/playback";
 import { reducedMotion } from "#document/preferences";
 import { lastStep, scene } from "#document/scene";
-import { tool } from "#document/tool";
+import { openTool, tool } from "#document/tool";
 import { inHand, moveBySelf } from "../moving";
 import { readParameters } from "../parameters";
 import { Guide } from "./Guide";
 import css from "./guide.module.css";
-import { seen } from "./seen";
-import { greeted, greeting, rested } from "./state";
+import { seen, underWay } from "./seen";
+import { goTo, greeted, greeting, rested } from "./state";
 import { STEPS } from "./steps";
 import { Welcome } from "./Welcome";
 
@@ -25,6 +25,12 @@ export function beGuided(hash: string): void {
   effect(() => {
     document.documentElement.toggleAttribute("data-first", greeting.value !== null);
   });
+  const left = underWay(STEPS.length);
+  if (left !== null && route.peek().page === "studio") {
+    openTool("morph");
+    goTo(left);
+    return;
+  }
   if (route.peek().page !== "studio" || seen(STEPS.length) !== null || lastStep()) return;
   const [visit] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
   const sent = hash.length > 1;

@@ -3,7 +3,7 @@ import { signal } from "@preact/signals";
 import { notify } from "#document/notice";
 import { openTool } from "#document/tool";
 import { help } from "#ui/commands";
-import { keepSeen, seen } from "./seen";
+import { keepSeen, keepUnderWay, seen } from "./seen";
 import { STEPS } from "./steps";
 
 /** The sentence of a first visit: to Frond, or to what somebody sent. */
@@ -33,11 +33,13 @@ export function goRound(): void {
 export function goTo(step: number): void {
   at.value = step;
   keepSeen(step);
+  keepUnderWay(step);
 }
 
 /** The round is over, for now or for good. */
 export function leave(step: number): void {
   at.value = null;
+  keepUnderWay(null);
   if (sent !== "" && location.hash !== sent) {
     const back = sent;
     const run = () => {
