@@ -1,12 +1,22 @@
 import { computed, type ReadonlySignal, type Signal } from "@preact/signals";
 import { Segmented } from "#ui/controls/Segmented";
+import { Term } from "#ui/terms/Term";
+import type { TermName } from "#ui/terms/words";
 import type { LocusStyle } from "./paint";
 
+interface LocusHeadProps {
+  id: string;
+  style: Signal<LocusStyle>;
+  /** What says, when the title is pressed, how the map is read. */
+  term?: TermName | false;
+}
+
 /** The head of a map of where a morph holds together, with how it is shown. */
-export function LocusHead({ id, style }: { id: string; style: Signal<LocusStyle> }) {
+export function LocusHead({ id, style, term }: LocusHeadProps) {
+  const title = "Where it holds together";
   return (
     <header class="section-head">
-      <h2 id={id}>Where it holds together</h2>
+      <h2 id={id}>{term ? <Term name={term}>{title}</Term> : title}</h2>
       <Segmented
         label="How to show it"
         value={style.value}

@@ -59,7 +59,7 @@ export const WORDS: readonly Word[] = [
   {
     word: "the map of morphs",
     means:
-      "All pairs u, v at once, each coloured by whether its shape is in one piece. In books: the connectedness locus.",
+      "Every point is a shape between A and B: u, across, says how far its maps have turned and stretched, v, up, how far they have moved. It is pale where the shape is in one piece. In books: the connectedness locus.",
     lesson: "e7",
   },
   { word: "path", means: "The way from A to B on that map: what is played.", lesson: "e7" },

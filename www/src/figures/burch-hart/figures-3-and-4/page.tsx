@@ -208,6 +208,8 @@ function href(t: number): string {
     a: { name: "Gasket, map 1 turned", maps: ENDS.from },
     b: preset("gasket"),
     t,
+    // As here: number by number on the left.
+    mode: "linear",
     compare: true,
   });
 }

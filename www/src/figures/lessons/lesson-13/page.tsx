@@ -66,7 +66,8 @@ export function Page(heading: Heading) {
           d, e, f.
         </p>
       }
-      studio={{ href: studioHref({ a: fern, b: preset("maple") }) }}
+      // The fern alone: its maps are there to be changed.
+      studio={{ href: studioHref({ a: fern, b: fern }) }}
     >
       <Switched fern={fern.maps} />
     </Lesson>

@@ -9,7 +9,7 @@ import { fly, pickPoint, sides } from "../view/view";
 import { Courses } from "./Courses";
 import { centre } from "./course";
 import { critical, criticalScale } from "./critical";
-import { symmetryWords, theoremWords } from "./families";
+import { familyWords, symmetryWords, theoremWords } from "./families";
 import { landmarkAt, landmarksOf } from "./landmarks";
 
 /** What others proved of a family, beside what Frond computes, and places to go to. */
@@ -19,6 +19,7 @@ export function FamilyNotes() {
   const at = landmarkAt(all, here.value);
   return (
     <div class="family-notes">
+      <p class="hint">{familyWords(n)}</p>
       {narrow.value && <Courses />}
       <ul class={fieldCss["landmarks"]} aria-label="Places to see">
         {all.map(({ name, about, s, zoom, spiral }) => (

@@ -12,6 +12,14 @@ export function circlesOf(sides: number): { radius: number; name: string; kind: 
   ];
 }
 
+/** How the map is read. */
+export function familyWords(sides: number): string {
+  const copies =
+    sides === 2 ? "two copies of itself" : `${sides} copies of itself at the corners of a polygon`;
+  const name = sides === 2 ? " Those that are in one piece are the set M." : "";
+  return `Every point s is a shape made of ${copies}, each |s| times as large and turned by the angle of s: pale where it is in one piece.${name}`;
+}
+
 /**
  * What others proved and what Frond computes. The pieces are turned into each other by n-th of a turn; so if n is prime
  * and any two meet, all hang together.

@@ -63,13 +63,17 @@ function Progress({ search: { of, done } }: { search: Search }) {
 function Found({ offer, gap }: { offer: Offer; gap: number }) {
   const words = offerWords(offer.way, offer.plan, gap);
   return (
-    <p class={pathCss["path-offer"]} role="status">
-      <span>
-        <strong>{words.what}</strong> {words.why}
-      </span>
+    <div class={pathCss["path-offer"]} role="status">
+      <div>
+        <strong>{words.what}</strong>
+        <details>
+          <summary>What becomes of the shapes</summary>
+          <p>{words.why}</p>
+        </details>
+      </div>
       <Button description="One step, which can be undone" onClick={() => take(offer, words.what)}>
         Use it
       </Button>
-    </p>
+    </div>
   );
 }
