@@ -69,6 +69,8 @@ const STYLE =
   "frond-view{width:100%;aspect-ratio:16/9}frond-view[src]{aspect-ratio:auto;height:80vh}a{color:LinkText}img{width:100%}" +
   ".live{margin-top:1rem}.live frond-view{height:auto;aspect-ratio:16/9}.live frond-view[src]{height:36rem;aspect-ratio:auto}" +
   ".live iframe{width:100%;border:1px solid GrayText;border-radius:0.5rem}.live canvas{max-width:100%}summary{padding:0.5rem 0}" +
+  // With large words what is wider than a phone breaks, or scrolls by itself.
+  "body{overflow-wrap:anywhere}:is(p,li,dd):has(math){overflow:auto hidden}" +
   "math{font-size:1.1em}.display{display:block;margin:0.5rem 0;overflow:auto hidden;text-align:center}" +
   "input{vertical-align:middle}h2{margin:2.5rem 0 0.25rem;font-size:1.125rem}p{margin:0.25rem 0 0.75rem}" +
   "pre{overflow:auto;padding:0.75rem 1rem;border:1px solid GrayText;border-radius:0.5rem;font-size:0.875rem}";
