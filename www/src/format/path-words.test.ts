@@ -66,7 +66,7 @@ describe("what is proved of a path", () => {
 
   it("gives the bound, the steps and the place where it is weakest", () => {
     expect(certifiedWords(so)).toBe(
-      "At no moment of this path is a gap wider than 0.31% of the shape’s diameter: proved, in 4,212 steps. Least is known at 63%.",
+      "At no moment of this path is a gap wider than 0.31% of the shape’s diameter: proved, in 4,212 steps. Narrower ones are not ruled out, above all at 63%.",
     );
     expect(certifiedWords({ ...so, gap: 0 })).toBe(
       "In one piece, proved, at every moment of this path, in 4,212 steps.",

@@ -68,7 +68,7 @@ export function certifiedWords(so: {
   if (!Number.isFinite(so.gap))
     return `It could not be proved all the way: at ${percent(so.worst)} it would take more than ${steps}.`;
   if (so.gap === 0) return `In one piece, proved, at every moment of this path, in ${steps}.`;
-  return `At no moment of this path is a gap wider than ${shareWords(so.gap)} of the shape’s diameter: proved, in ${steps}. Least is known at ${percent(so.worst)}.`;
+  return `At no moment of this path is a gap wider than ${shareWords(so.gap)} of the shape’s diameter: proved, in ${steps}. Narrower ones are not ruled out, above all at ${percent(so.worst)}.`;
 }
 
 /** What is known where the best path breaks. `apart`: on the samples there is no way that does not. */
