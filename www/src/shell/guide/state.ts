@@ -19,15 +19,21 @@ let sent = "";
 /** Begins the round, or goes on where it was left. */
 export function goRound(): void {
   const left = seen(STEPS.length);
-  // Its steps are about what Frond begins with; what was sent is one step back.
-  if (greeting.peek() === "sent") {
-    sent = location.hash;
-    location.hash = "";
-  }
+  const begin = () => {
+    openTool("morph");
+    goTo(typeof left === "number" ? left : 0);
+  };
+  const wasSent = greeting.peek() === "sent";
   greeting.value = null;
   help.value = false;
-  openTool("morph");
-  goTo(typeof left === "number" ? left : 0);
+  if (!wasSent || location.hash === "") {
+    begin();
+    return;
+  }
+  // Its steps are about what Frond begins with, once that is there; what was sent is one step back.
+  sent = location.hash;
+  addEventListener("hashchange", begin, { once: true });
+  location.hash = "";
 }
 
 export function goTo(step: number): void {
