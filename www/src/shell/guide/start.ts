@@ -48,6 +48,7 @@ export function beGuided(hash: string): void {
 function welcome(): void {
   const place = document.createElement("div");
   place.className = css["welcome"] ?? "";
+  place.dataset["welcome"] = "";
   document.querySelector("main.studio")?.prepend(place);
   render(h(Welcome, null), place);
 }
