@@ -704,7 +704,8 @@ export interface StateConnectedness {
   verdict: Verdict;
   /**
    * Bounds of the widest edge of the least spanning tree between its pieces. Where it is 0 these hold together, but may
-   * be in several pieces themselves.
+   * be in several pieces themselves; then they are split until a gap of epsilon shows, and it is between such parts, of
+   * which finer ones may leave a wider gap: it may vary with epsilon.
    */
   gap: { lower: number; upper: number };
   /** Pairs of its maps whose pieces meet, or come within epsilon of each other. */

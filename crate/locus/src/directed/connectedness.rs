@@ -29,7 +29,8 @@ pub struct StateConnectedness {
     pub verdict: Verdict,
     /// The widest edge of the minimum spanning tree between its pieces, in units of the plane. Where it is above 0
     /// the state is in several pieces; where it is 0 the pieces hold together, but may be in several pieces
-    /// themselves.
+    /// themselves. Where that is so these are split until a gap of epsilon shows, and it is the widest between such
+    /// parts: at least one as wide is there, and finer parts may leave a wider one, so it may vary with epsilon.
     pub gap: Gap,
     /// Pairs of its maps whose pieces meet, or come within epsilon of each other, the smaller index first, ascending.
     pub overlaps: Vec<(usize, usize)>,
