@@ -198,6 +198,12 @@ function Brush() {
           hand.value = next;
         }}
       />
+      {hand.value === "move" && masked.value && (
+        <p class="hint">
+          Too little or too much? Choose Leaf or Not leaf and draw over it. Leaves that touch are cut out as
+          one: draw over the one that is not meant with Not leaf.
+        </p>
+      )}
       {hand.value !== "move" && (
         <>
           <SliderField
