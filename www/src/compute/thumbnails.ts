@@ -93,11 +93,12 @@ const names = { a: "", b: "" };
 /** Another shape is not shown by the picture of the one before it; while one is changed by hand that stays. */
 function wantEnd(end: "a" | "b", maps: MapRow[]): void {
   const { name } = scene.peek()[end];
-  if (name !== names[end]) {
-    names[end] = name;
+  const before = wanted.get(end);
+  if (name !== names[end] && !(before && sameMaps(before.maps, maps))) {
     const left = new Map(publish.thumbnails.peek());
     if (left.delete(end)) publish.thumbnails.value = left;
   }
+  names[end] = name;
   want(end, maps, pieceColours(theme()));
 }
 
@@ -105,7 +106,8 @@ const theme = () => (dark.peek() ? "dark" : "light");
 
 function want(id: string, maps: MapRow[], colours = palette(theme())): void {
   const before = wanted.get(id);
-  if (before?.maps === maps && before.colours === colours) return;
+  // A link that is followed brings both ends anew, though mostly one of them is as it was.
+  if (before?.colours === colours && sameMaps(before.maps, maps)) return;
   wanted.set(id, { maps, colours });
   todo.add(id);
   queue.request(job);
