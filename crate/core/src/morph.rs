@@ -10,5 +10,6 @@ pub(crate) mod pairing;
 pub(crate) mod route;
 pub(crate) mod turn2;
 pub(crate) mod turn3;
+mod upright;
 pub(crate) mod ways;
 pub(crate) mod zipper;

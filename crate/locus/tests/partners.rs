@@ -17,11 +17,15 @@ fn ifs(preset: &Preset) -> Ifs {
     Ifs::new(preset.maps.iter().map(|&row| Affine2::from_row(row)).collect()).unwrap()
 }
 
-/// Whether a way that keeps joints joined holds; of others only the table's maker has the time.
+/// Whether a way that keeps joints joined holds, and leaves the last shape upright; of others only the table's maker
+/// has the time.
 fn holds_by_joints(from: &Ifs, to: &Ifs) -> Option<bool> {
     let way = ways(from, to, 1).into_iter().next().filter(|way| way.kind == RouteKind::Joints)?;
     let options = MorphOptions { mode: Mode::Linear, ..MorphOptions::default() };
     let morph = Morph::new(&way.from, &way.to, &options).unwrap();
+    if let Some(place) = way.place {
+        assert!(place.determinant() > 0.0 && place.linear.x_axis.to_angle().abs() < 1e-6, "{}", way.about);
+    }
     Some(check_path(&morph, &[DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0)], 1.0 / 600.0, 1001).holds)
 }
 

@@ -18,13 +18,14 @@
 
 use std::collections::HashSet;
 
-use glam::{DMat2, DVec2};
+use glam::DVec2;
 
 use crate::ifs::symmetry::symmetries;
 use crate::ifs::system::Ifs;
 use crate::linear::affine::Affine2;
 use crate::morph::chains::{Grid, chains, ends};
 use crate::morph::pairing::{Weighted, refined};
+use crate::morph::upright::{Laying, layings};
 
 /// A zipper: maps in their order along the chain.
 #[derive(Clone, Debug)]
@@ -91,29 +92,62 @@ const MOST_STEPS: usize = 200_000;
 /// The most maps of a joined morph.
 const MOST_MAPS: usize = 16;
 
-/// The morph between two systems that keeps all joints and moves the maps least; `None` where one of them is no zipper
-/// as far as was looked, or their signatures do not come together.
+/// The morph between two systems that keeps all joints, turns the last shape least and, of those that turn it as
+/// little, moves the maps least; `None` where one of them is no zipper as far as was looked, or their signatures do not
+/// come together.
 pub(crate) fn joined(from: &Ifs, to: &Ifs) -> Option<Joined> {
     if from.len().max(to.len()) > MOST_MAPS {
         return None;
     }
-    let (a, b) = (zippers(from), zippers(to));
-    let (first, last) = (a.first()?, b.first()?);
-    let mut best: Option<(f64, Joined)> = None;
-    for count in counts(first.maps.len(), last.maps.len()) {
-        let a = grown(&a, count);
-        let b: Vec<Zipper> = grown(&b, count).into_iter().flat_map(|q| [q.backwards(), q]).collect();
-        for p in &a {
-            for q in &b {
-                let least = best.as_ref().map_or(f64::INFINITY, |(least, _)| *least);
-                best = meet(p, q, least).or(best);
+    let sides = [from, to].map(Side::of);
+    let [a, b] = &sides;
+    let (first, last) = (a.zippers.first()?, b.zippers.first()?);
+    counts(first.maps.len(), last.maps.len()).find_map(|count| {
+        let a = grown(&a.zippers, count);
+        let b: Vec<Zipper> = grown(&b.zippers, count).into_iter().flat_map(|q| [q.backwards(), q]).collect();
+        let groups = [sides[0].group.clone(), sides[1].group.clone()];
+        layings(&ends_of(&a), &ends_of(&b), &groups).iter().find_map(|alike| {
+            let mut best: Option<(f64, Joined)> = None;
+            for laying in alike {
+                for p in a.iter().filter(|p| p.ends == laying.ends[0]) {
+                    for q in b.iter().filter(|q| q.ends == laying.ends[1]) {
+                        let least = best.as_ref().map_or(f64::INFINITY, |(least, _)| *least);
+                        best = meet(p, q, laying, least, &sides).or(best);
+                    }
+                }
             }
-        }
-        if best.is_some() {
-            break;
+            best.map(|(_, found)| found)
+        })
+    })
+}
+
+/// One of two systems.
+struct Side {
+    zippers: Vec<Zipper>,
+    group: Vec<Affine2>,
+    /// All maps that make its pieces: each followed by each symmetry.
+    variants: Vec<Affine2>,
+}
+
+impl Side {
+    fn of(ifs: &Ifs) -> Self {
+        let group = symmetries(ifs);
+        // The maps themselves first.
+        let variants =
+            group.iter().flat_map(|&sigma| ifs.maps().iter().map(move |&map| map * sigma)).collect();
+        Self { zippers: zippers(ifs), group, variants }
+    }
+}
+
+/// The ends that there are, each pair once.
+fn ends_of(all: &[Zipper]) -> Vec<[DVec2; 2]> {
+    let mut found: Vec<[DVec2; 2]> = Vec::new();
+    for zipper in all {
+        if !found.contains(&zipper.ends) {
+            found.push(zipper.ends);
         }
     }
-    best.map(|(_, found)| found)
+    found
 }
 
 /// The numbers of maps that both may have when pieces are split into all of theirs, or counted three times, there and
@@ -128,61 +162,54 @@ fn can_grow(count: usize, more: usize) -> bool {
 }
 
 /// Both brought to the same ends and signature, and how far the maps then are apart, where that is less than `least`.
-fn meet(p: &Zipper, q: &Zipper, least: f64) -> Option<(f64, Joined)> {
-    let laid = similarity(q.ends, p.ends)?;
-    let place = (laid != Affine2::IDENTITY).then_some(laid);
-    let mut joined = Joined { from: p.maps.clone(), to: Vec::with_capacity(q.maps.len()), place };
+fn meet(p: &Zipper, q: &Zipper, laying: &Laying, least: f64, sides: &[Side; 2]) -> Option<(f64, Joined)> {
+    let over = (laying.over != Affine2::IDENTITY).then_some(laying.over);
+    let laid_at = |map: Affine2| over.map_or(Some(map), |over| map.conjugate(over));
+    let (mut from, mut to) = (p.maps.clone(), q.maps.clone());
     let mut cost = 0.0;
     for k in 0..p.maps.len() {
-        let laid_at = |map: Affine2| place.map_or(Some(map), |place| map.conjugate(place));
         let (p_map, q_map) = (p.maps[k].0, q.maps[k].0);
         let (mut f, mut g) = (p_map, laid_at(q_map)?);
         if p.reversed[k] != q.reversed[k] {
             // Whichever can be reversed, so that the two are nearer.
-            let (other_f, other_g) =
-                (p.flip.map(|flip| f * flip), q.flip.and_then(|flip| laid_at(q_map * flip)));
-            // The plainer of the two where there are both.
-            f = match (other_f, other_g) {
-                (Some(other), Some(also)) if apart(other, g) > apart(f, also) => {
-                    g = also;
-                    f
-                }
-                (None, Some(also)) => {
-                    g = also;
-                    f
-                }
-                (Some(other), _) => other,
-                (None, None) => return None,
+            let other_f = p.flip.map(|flip| p_map * flip);
+            let other_g = match q.flip {
+                Some(flip) => Some((q_map * flip, laid_at(q_map * flip)?)),
+                None => None,
             };
+            // The plainer of the two where there are both.
+            match (other_f, other_g) {
+                (Some(other), Some((_, also))) if apart(other, g) <= apart(f, also) => f = other,
+                (_, Some((unlaid, also))) => {
+                    to[k].0 = unlaid;
+                    g = also;
+                }
+                (Some(other), None) => f = other,
+                (None, None) => return None,
+            }
         }
+        from[k].0 = f;
         cost += apart(f, g);
         if cost.is_nan() || cost >= least {
             return None;
         }
-        joined.from[k].0 = f;
-        joined.to.push((g, q.maps[k].1));
+    }
+    laying.first(&mut from, &sides[0].variants)?;
+    laying.last(&mut to, &sides[1].variants)?;
+    let place = laying.place();
+    if let Some(place) = place {
+        for (map, _) in &mut to {
+            *map = map.conjugate(place)?;
+        }
     }
     let sound = |maps: &[Weighted]| Ifs::new(maps.iter().map(|one| one.0).collect()).is_ok();
-    (sound(&joined.from) && sound(&joined.to)).then_some((cost, joined))
+    (sound(&from) && sound(&to)).then_some((cost, Joined { from, to, place }))
 }
 
 /// How much a map changes to become another, its turn above all.
 fn apart(f: Affine2, g: Affine2) -> f64 {
     let d = f.linear - g.linear;
     d.x_axis.length_squared() + d.y_axis.length_squared()
-}
-
-/// The similarity without a reflection that takes two points to two others; the identity to the last bit where they
-/// are the same.
-fn similarity(from: [DVec2; 2], to: [DVec2; 2]) -> Option<Affine2> {
-    let (a, b) = (from[1] - from[0], to[1] - to[0]);
-    if from == to {
-        return Some(Affine2::IDENTITY);
-    }
-    let factor = DVec2::new(a.dot(b), a.perp_dot(b)) / a.length_squared();
-    let linear = DMat2::from_cols(factor, factor.perp());
-    let map = Affine2::new(linear, to[0] - linear * from[0]);
-    map.is_finite().then_some(map)
 }
 
 impl Zipper {
@@ -377,6 +404,37 @@ mod tests {
                     assert!(joints_apart(&found) < 1e-12, "{}", joints_apart(&found));
                 }
             }
+        }
+    }
+
+    /// How far the last shape is turned, in degrees; 180 more in a mirror.
+    fn turned(a: &Ifs, b: &Ifs) -> f64 {
+        joined(a, b).unwrap().place.map_or(0.0, |place| {
+            let mirrored = if place.determinant() < 0.0 { 180.0 } else { 0.0 };
+            place.linear.x_axis.to_angle().to_degrees() + mirrored
+        })
+    }
+
+    #[test]
+    fn the_last_shape_stays_upright_whichever_end_meets_which() {
+        let levy = ifs(&[[0.5, -0.5, 0.5, 0.5, 0.0, 0.0], [0.5, 0.5, -0.5, 0.5, 0.5, 0.5]]);
+        let all = [dragon(), koch(), gasket(), levy];
+        for a in &all {
+            for b in &all {
+                assert!(turned(a, b).abs() < 1e-6, "{} to {}: {}", a.len(), b.len(), turned(a, b));
+            }
+        }
+    }
+
+    #[test]
+    fn a_shape_that_leans_is_turned_no_further_than_it_leans() {
+        let lean = Affine2::rotation(0.5);
+        let leaning =
+            |a: &Ifs| Ifs::new(a.maps().iter().map(|f| f.conjugate(lean).unwrap()).collect()).unwrap();
+        for (a, b) in [(koch(), dragon()), (gasket(), koch()), (dragon(), koch())] {
+            // The gasket looks the same every third of a turn, and leans no further than half of one from Koch's curve.
+            let turn = turned(&a, &leaning(&b)).to_radians();
+            assert!((turn + 0.5).abs() < 1e-6, "{turn}");
         }
     }
 
