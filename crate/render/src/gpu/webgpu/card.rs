@@ -133,7 +133,6 @@ pub async fn name(_: &wgpu::Adapter) -> String {
 
 /// What the system tells of an adapter.
 #[cfg(not(target_arch = "wasm32"))]
-#[expect(clippy::unused_async, reason = "the browser has to be asked")]
 pub async fn name(adapter: &wgpu::Adapter) -> String {
     let info = adapter.get_info();
     format!("{}, {:?}, {} {}", info.name, info.backend, info.driver, info.driver_info)

@@ -42,7 +42,6 @@ impl Chain {
     }
 
     /// Leaves it there, and lets the device tell what happened.
-    #[expect(clippy::needless_pass_by_value, reason = "as that of a canvas")]
     pub fn present(&self, card: &Card, _: Frame) {
         let _ = card.device.poll(wgpu::PollType::Poll);
     }
