@@ -181,6 +181,7 @@ export type Channel =
   | "candidates"
   | "routes"
   | "ways"
+  | "recall"
   | "boundary"
   | "causes"
   | "hover"
