@@ -6,6 +6,8 @@ import {
   fits,
   itemsOf,
   linksIn,
+  type Numbered,
+  numbered,
   type Sheet,
   sheetAddress,
   sheetIn,
@@ -19,6 +21,7 @@ const SHEET: Sheet = {
   lessons: ["e12", "e7"],
   shapes: ["gasket"],
   links: ["learn/e7/at=question&guess=0.3", "v=1&a=koch"],
+  numbers: [1, 2],
   names: { "link:2": "From gasket to Koch" },
   tasks: { e7: "When do they part? <b>&", "shape:gasket": "Drei Äpfel" },
 };
@@ -65,7 +68,7 @@ describe("a sheet", () => {
   it("is told from what no link holds", () => {
     expect(fits(SHEET)).toBe(true);
     const links = Array.from({ length: 8 }, (_, i) => `v=${i}&a=${"1".repeat(800)}`);
-    expect(fits({ ...SHEET, links })).toBe(false);
+    expect(fits({ ...SHEET, links, numbers: [1, 2, 3, 4, 5, 6, 7, 8] })).toBe(false);
   });
 
   it("in the making is kept as far as it goes, and opened from its link", () => {
@@ -87,6 +90,63 @@ describe("a sheet", () => {
     ).toEqual({ links: ["learn/e1/at=question", "v=1&a=gasket"], wrong: ["hello", "http://x/"] });
     expect(linksIn(`http://x/#v=1&a=${"1".repeat(2000)}`).wrong.length).toBe(1);
     expect(linksIn("http://x/#v=1 ".repeat(20)).links.length).toBe(8);
+  });
+});
+
+describe("a link of a sheet", () => {
+  const known = new Map<string, number>();
+  const change = (before: Numbered, ...links: string[]) => numbered(before, links, known);
+  const three = { links: ["a=1", "b=2", "c=3"], numbers: [1, 2, 3] };
+
+  it("keeps its number when others go, come, and change places", () => {
+    const two = change(three, "a=1", "c=3");
+    expect(two.numbers).toEqual([1, 3]);
+    expect(change(two, "c=3", "new", "a=1").numbers).toEqual([3, 4, 1]);
+    expect(change(two, "b=2", "a=1", "c=3", "b=2")).toEqual({
+      links: ["b=2", "a=1", "c=3"],
+      numbers: [2, 1, 3],
+    });
+  });
+
+  it("keeps it when its line is changed, and no two have one", () => {
+    const changed = change(three, "a=1", "b=22", "c=3");
+    expect(changed.numbers).toEqual([1, 2, 3]);
+    const { numbers } = change(changed, "b=2", "a=1", "b=22", "c=3");
+    expect(numbers.slice(1)).toEqual([1, 2, 3]);
+    expect(new Set(numbers).size).toBe(4);
+  });
+
+  it("has a number that a sheet can hold, however often links came and went", () => {
+    let sheet: Numbered = { links: [], numbers: [] };
+    for (let i = 0; i < 300; i++) sheet = change(sheet, ...sheet.links.slice(-3), `x=${i}`);
+    expect(new Set(sheet.numbers).size).toBe(4);
+    for (const number of sheet.numbers) expect(number).toBeLessThan(100);
+  });
+
+  it("has its name and its task by it, in the address too", () => {
+    const sheet: Sheet = {
+      ...EMPTY,
+      ...change(three, "c=3", "a=1"),
+      names: { "link:2": "gone", "link:3": "Third" },
+      tasks: { "link:1": "Look" },
+    };
+    const found = sheetIn(sheetAddress(sheet))?.sheet;
+    expect(found).toEqual({ ...sheet, names: { "link:3": "Third" } });
+    expect(itemsWithNames(found ?? EMPTY).map(({ key, name, task }) => [key, name, task])).toEqual([
+      ["link:3", "Third", ""],
+      ["link:1", "Link 1", "Look"],
+    ]);
+  });
+
+  it("of an old sheet has that of its place, as where numbers are damaged", () => {
+    const old = sheetIn("links=a%3D1%20b%3D2&names=link%3A2%20Two");
+    expect(old).toMatchObject({ sheet: { numbers: [1, 2], names: { "link:2": "Two" } }, whole: true });
+    for (const numbers of ["3", "2,2", "0,1", "x"]) {
+      expect(sheetIn(`links=a%3D1%20b%3D2&numbers=${numbers}`), numbers).toMatchObject({
+        sheet: { numbers: [1, 2] },
+        whole: false,
+      });
+    }
   });
 });
 

@@ -2,7 +2,7 @@
 import { presets } from "#document/presets";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { LESSONS } from "../course";
-import type { Sheet } from "./sheet";
+import { linkItem, type Sheet } from "./sheet";
 
 export interface Item {
   /** As `itemsOf` has it. */
@@ -35,14 +35,14 @@ export function nameOf(item: string): string {
   return lessonName(item) ?? item;
 }
 
-/** What a link is called that its sheet has no name for; `i` is its place. */
-export function plainLinkName(link: string, i: number): string {
+/** What a link is called that its sheet has no name for. */
+export function plainLinkName(link: string, number: number): string {
   const [, id = ""] = /^learn\/(e\d+)/.exec(link) ?? [];
   const name = lessonName(id);
-  return name === null ? `Link ${i + 1}` : `${name}, as it was set`;
+  return name === null ? `Link ${number}` : `${name}, as it was set`;
 }
 
-export function itemsWithNames({ lessons, shapes, links, names, tasks }: Sheet): Item[] {
+export function itemsWithNames({ lessons, shapes, links, numbers, names, tasks }: Sheet): Item[] {
   const taskOf = (key: string) => tasks[key] ?? "";
   const unknown = "not in this version of Frond";
   return [
@@ -64,8 +64,9 @@ export function itemsWithNames({ lessons, shapes, links, names, tasks }: Sheet):
       return { key, name, href, task: taskOf(key) || SHAPE_TASK, shape: id };
     }),
     ...links.map((link, i) => {
-      const key = `link:${i + 1}`;
-      const name = names[key]?.trim() || plainLinkName(link, i);
+      const number = numbers[i] ?? i + 1;
+      const key = linkItem(number);
+      const name = names[key]?.trim() || plainLinkName(link, number);
       return { key, name, href: `#${link}`, task: taskOf(key) };
     }),
   ];

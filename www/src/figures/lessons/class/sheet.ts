@@ -10,13 +10,23 @@ export interface Sheet {
   shapes: readonly string[];
   /** What stands behind the # of links of Frond: lessons that are set to something, documents of the studio. */
   links: readonly string[];
+  /** The number of each link, which it keeps when others come and go: `link:3` is the link with the number 3. */
+  numbers: readonly number[];
   /** What links are called, in the teacher's own words, by the names that `itemsOf` gives. */
   names: Readonly<Record<string, string>>;
   /** What is to be done, in the teacher's own words, by the names that `itemsOf` gives. */
   tasks: Readonly<Record<string, string>>;
 }
 
-export const EMPTY: Sheet = { title: "", lessons: [], shapes: [], links: [], names: {}, tasks: {} };
+export const EMPTY: Sheet = {
+  title: "",
+  lessons: [],
+  shapes: [],
+  links: [],
+  numbers: [],
+  names: {},
+  tasks: {},
+};
 
 /** More would fit no QR code, and no lesson of a school. */
 export const MOST = { title: 80, lessons: 60, shapes: 30, links: 8, link: 900, name: 60, task: 140 };
@@ -25,6 +35,8 @@ const TITLE: Field<string> = text(/[^\n\r]{1,80}/u);
 const LESSONS = list(text(/e\d{1,4}/), 1, MOST.lessons);
 const SHAPES = list(text(/[\w-]{1,32}/), 1, MOST.shapes);
 const LINKS = list(text(/\S{1,900}/), 1, MOST.links, " ");
+/** Left out where each has that of its place, as in sheets that were made before links had any. */
+const NUMBERS = list(text(/[1-9]\d?/), 1, MOST.links);
 const NAMES = list(text(/link:\d{1,2} [^\n\r]{1,60}/u), 1, MOST.links, "\n");
 /** A line for each: its name, a space, and words. */
 const TASKS = list(
@@ -59,25 +71,28 @@ export function sheetOfKept(text: string | null): Sheet {
 }
 
 function valuesOf(sheet: Sheet): [string, string][] {
-  const { title, lessons, shapes, links, names, tasks } = sheet;
+  const { title, lessons, shapes, links, numbers, names, tasks } = sheet;
   const values: [string, string][] = [];
   if (title.trim() !== "") values.push(["title", TITLE.write(title.trim())]);
   if (lessons.length > 0) values.push(["lessons", LESSONS.write(lessons)]);
   if (shapes.length > 0) values.push(["shapes", SHAPES.write(shapes)]);
   if (links.length > 0) values.push(["links", LINKS.write(links)]);
+  if (numbers.some((number, i) => number !== i + 1))
+    values.push(["numbers", NUMBERS.write(numbers.map(String))]);
   const linesOf = (words: Sheet["tasks"], items: readonly string[], most: number) =>
     items.flatMap((item) => {
       const said = (words[item] ?? "").replace(/\s+/g, " ").trim().slice(0, most).trim();
       return said === "" ? [] : [`${item} ${said}`];
     });
-  const named = linesOf(names, links.map(linkItem), MOST.name);
+  const named = linesOf(names, numbers.map(linkItem), MOST.name);
   if (named.length > 0) values.push(["names", NAMES.write(named)]);
   const lines = linesOf(tasks, itemsOf(sheet), MOST.task);
   if (lines.length > 0) values.push(["tasks", TASKS.write(lines)]);
   return values;
 }
 
-const linkItem = (_: string, i: number) => `link:${i + 1}`;
+/** What a link is to its sheet, by its number. */
+export const linkItem = (number: number) => `link:${number}`;
 
 /** A sheet from an address; null where it holds none. What cannot be read of it is left out, and said by `whole`. */
 export function sheetIn(state: string): { sheet: Sheet; whole: boolean } | null {
@@ -96,11 +111,19 @@ function sheetOf(written: (name: string) => string | undefined): { sheet: Sheet;
     if (value === null) whole = false;
     return value ?? otherwise;
   };
+  const links = part<readonly string[]>("links", LINKS, []);
+  const numbers = part<readonly string[]>("numbers", NUMBERS, []).map(Number);
+  if (numbers.length > 0 && (numbers.length !== links.length || new Set(numbers).size < numbers.length)) {
+    whole = false;
+    numbers.length = 0;
+  }
+  const numbered = new Map(links.map((link, i) => [link, numbers[i] ?? i + 1]));
   const sheet: Sheet = {
     title: part("title", TITLE, ""),
     lessons: [...new Set(part<readonly string[]>("lessons", LESSONS, []))],
     shapes: [...new Set(part<readonly string[]>("shapes", SHAPES, []))],
-    links: [...new Set(part<readonly string[]>("links", LINKS, []))],
+    links: [...numbered.keys()],
+    numbers: [...numbered.values()],
     names: wordsOf(part<readonly string[]>("names", NAMES, [])),
     tasks: wordsOf(part<readonly string[]>("tasks", TASKS, [])),
   };
@@ -118,8 +141,49 @@ function wordsOf(lines: readonly string[]): Record<string, string> {
 }
 
 /** What is to be done, each by a name that no other has: its lesson, `shape:` or `link:` and which. */
-export function itemsOf({ lessons, shapes, links }: Pick<Sheet, "lessons" | "shapes" | "links">): string[] {
-  return [...lessons, ...shapes.map((id) => `shape:${id}`), ...links.map(linkItem)];
+export function itemsOf({
+  lessons,
+  shapes,
+  numbers,
+}: Pick<Sheet, "lessons" | "shapes" | "numbers">): string[] {
+  return [...lessons, ...shapes.map((id) => `shape:${id}`), ...numbers.map(linkItem)];
+}
+
+/** Links with the numbers that they keep. */
+export type Numbered = Pick<Sheet, "links" | "numbers">;
+
+const MOST_NUMBER = 99;
+
+/**
+ * Links that were written in place of others. One that was there keeps its number, and so does one that comes back,
+ * whose number is in `known`, and a line that was changed where it stands. A new one has a number that none had.
+ */
+export function numbered(before: Numbered, written: readonly string[], known: Map<string, number>): Numbered {
+  const links = [...new Set(written)];
+  const there = new Map(before.links.map((link, i) => [link, before.numbers[i] ?? i + 1]));
+  const changed = (i: number) => {
+    const old = before.links[i];
+    return links.length === before.links.length && old && !links.includes(old) ? there.get(old) : undefined;
+  };
+  const numbers: (number | undefined)[] = links.map(() => undefined);
+  const give = (numberOf: (link: string, i: number) => number | undefined) => {
+    for (const [i, link] of links.entries()) {
+      const number = numbers[i] ?? numberOf(link, i);
+      if (!numbers.includes(number)) numbers[i] = number;
+    }
+  };
+  give((link) => there.get(link));
+  give((link) => known.get(link));
+  give((_, i) => changed(i));
+  let highest = Math.max(0, ...there.values(), ...known.values());
+  // After very many changes there is none that none had.
+  const free = () =>
+    Array.from({ length: MOST_NUMBER }, (_, k) => k + 1).find((one) => !numbers.includes(one));
+  give(() => (highest < MOST_NUMBER ? ++highest : free()));
+  const given = numbers.map((number, i) => number ?? i + 1);
+  for (const [link, number] of there) known.set(link, number);
+  for (const [i, link] of links.entries()) known.set(link, given[i] ?? i + 1);
+  return { links, numbers: given };
 }
 
 /** The sheet that a link leads to; null for any other link. */

@@ -15,7 +15,19 @@ import { Handed } from "./handed/handed";
 import { draft, keepDraft } from "./kept";
 import { Lessons } from "./lessons";
 import { itemsWithNames, plainLinkName } from "./names";
-import { EMPTY, fits, itemsOf, linksIn, MOST, type Sheet, sheetAddress, sheetIn, sheetOfLink } from "./sheet";
+import {
+  EMPTY,
+  fits,
+  itemsOf,
+  linkItem,
+  linksIn,
+  MOST,
+  numbered,
+  type Sheet,
+  sheetAddress,
+  sheetIn,
+  sheetOfLink,
+} from "./sheet";
 
 /** Where a teacher makes a sheet for a class, and opens what comes back. */
 export function Teacher() {
@@ -39,24 +51,26 @@ export function Teacher() {
 
 function Make() {
   const { state } = useContext(Page);
-  const [sheet, showSheet] = useState<Sheet>(() => sheetIn(state)?.sheet ?? draft());
+  const [known, setKnown] = useState(() => new Map<string, number>());
+  const [sheet, showSheet] = useState<Sheet>(() => cleaned(sheetIn(state)?.sheet ?? draft(), known));
   const [pasted, showPasted] = useState(() => linesOf(sheet));
   const [folded, setFolded] = useState(sheet.shapes.length + sheet.links.length === 0);
-  const { links, wrong } = useMemo(() => linksIn(pasted), [pasted]);
-  const whole = { ...sheet, links };
-  const count = itemsOf(whole).length;
+  const { wrong } = useMemo(() => linksIn(pasted), [pasted]);
+  const count = itemsOf(sheet).length;
   const setSheet = (next: Sheet) => {
     showSheet(next);
-    keepDraft({ ...next, links });
+    keepDraft(next);
   };
   const setPasted = (next: string) => {
     showPasted(next);
-    keepDraft({ ...sheet, links: linksIn(next).links });
+    setSheet({ ...sheet, ...numbered(sheet, linksIn(next).links, known) });
   };
-  const open = (next: Sheet) => {
-    showSheet(next);
+  const open = (other: Sheet) => {
+    const numbers = new Map<string, number>();
+    const next = cleaned(other, numbers);
+    setKnown(numbers);
+    setSheet(next);
     showPasted(linesOf(next));
-    keepDraft(next);
     setFolded(next.shapes.length + next.links.length === 0);
   };
   const toggle = (part: "lessons" | "shapes", order: readonly string[], id: string) => {
@@ -106,15 +120,16 @@ function Make() {
               onInput={({ currentTarget }) => setPasted(currentTarget.value)}
             />
           </label>
-          {links.map((link, i) => {
-            const key = `link:${i + 1}`;
+          {sheet.links.map((link, i) => {
+            const number = sheet.numbers[i] ?? i + 1;
+            const key = linkItem(number);
             return (
               <label key={key} class={fieldCss["field"]}>
-                What your class sees link {i + 1} called
+                What your class sees link {number} called
                 <input
                   type="text"
                   maxLength={MOST.name}
-                  placeholder={plainLinkName(link, i)}
+                  placeholder={plainLinkName(link, number)}
                   value={sheet.names[key] ?? ""}
                   onInput={({ currentTarget }) =>
                     setSheet({ ...sheet, names: { ...sheet.names, [key]: currentTarget.value } })
@@ -134,7 +149,7 @@ function Make() {
       {count > 0 && (
         <fieldset class={css["part"]}>
           <legend>What is to be done, in your own words, where you like</legend>
-          {itemsWithNames(whole).map(({ key, name }) => (
+          {itemsWithNames(sheet).map(({ key, name }) => (
             <label key={key} class={fieldCss["field"]}>
               {name}
               <input
@@ -151,14 +166,14 @@ function Make() {
       )}
       {count === 0 ? (
         <p class={layout["hint"]}>Choose a lesson, and the link stands here.</p>
-      ) : !fits(whole) ? (
+      ) : !fits(sheet) ? (
         <p role="status" class={layout["missing"]}>
           This is more than one link can hold. Take some of it off, or write less.
         </p>
       ) : (
         <>
-          <Given address={addressOf(whole)} count={count} />
-          <AtHand address={addressOf(whole)} words={sizeWords(whole)} />
+          <Given address={addressOf(sheet)} count={count} />
+          <AtHand address={addressOf(sheet)} words={sizeWords(sheet)} />
         </>
       )}
     </section>
@@ -174,6 +189,12 @@ function sizeWords(sheet: Sheet): string {
   );
   return `${count} ${count === 1 ? "thing" : "things"} to do${minutes > 0 ? `, ${minutes} minutes and the exercises` : ""}`;
 }
+
+/** A sheet with those of its links that are such. */
+const cleaned = (sheet: Sheet, known: Map<string, number>): Sheet => ({
+  ...sheet,
+  ...numbered(sheet, linksIn(linesOf(sheet)).links, known),
+});
 
 /** Links of a sheet as one would have pasted them. */
 const linesOf = ({ links }: Sheet) =>
