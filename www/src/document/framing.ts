@@ -6,7 +6,17 @@ import type { Deformation, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { curveBoxAt, curveMorph } from "./curve/curve";
 import { aspect, mapsOfRectangle } from "./deform/photograph";
-import { locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown, standing } from "./morph";
+import {
+  held,
+  locusView,
+  mapsAt,
+  morphOptions,
+  pairing,
+  pathPoints,
+  selection,
+  shown,
+  standing,
+} from "./morph";
 import { scene } from "./scene";
 import { directedBoxAt, standIn } from "./stand-in";
 import { type Taken, takenOf } from "./whole";
@@ -61,6 +71,9 @@ const standingBox: ReadonlySignal<Box | null> = computed(() => {
 const elsewhere = computed(
   () => !standIn.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
 );
+
+/** The box of the shape at a way point that is being moved: that may lie far from what the path shows. */
+export const heldBox: ReadonlySignal<Box | null> = computed(() => held.value && boxOf(shown.value));
 
 /** How much larger than the shape a mesh around it is, on each side. */
 const MARGIN = 0.05;

@@ -98,7 +98,7 @@ export const FIRST_S: Uv = [0.5, 0.5];
 const heldPoint = signal<Uv | null>(null);
 
 /** The way point that a hand or a key has hold of, for as long as it does: the picture shows what is there. */
-const held: ReadonlySignal<Uv | null> = computed(() => (inGesture.value ? heldPoint.value : null));
+export const held: ReadonlySignal<Uv | null> = computed(() => (inGesture.value ? heldPoint.value : null));
 
 /** A way point is moved in the gesture that is under way. */
 export function hold(point: Uv): void {

@@ -1,10 +1,10 @@
 /** Which part of the plane the stage shows. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { fitFor, pairBox, stageTrack } from "#document/framing";
+import { fitFor, heldBox, pairBox, stageTrack } from "#document/framing";
 import { selection } from "#document/morph";
 import { reducedMotion } from "#document/preferences";
 import { inGesture, scene } from "#document/scene";
-import { type Box, blendTracks, boxAt, sameTrack, type Track } from "#geometry/boxes";
+import { type Box, blendTracks, boxAt, sameTrack, type Track, union } from "#geometry/boxes";
 import type { Size, View } from "#geometry/coordinates";
 import { panelInset } from "./evidence/shown";
 
@@ -26,12 +26,15 @@ const t = computed(() => scene.value.t);
 export const fitView: ReadonlySignal<View> = computed(() =>
   // What was zoomed by hand is measured by the whole stage, and stays where it is.
   fitOnStage(
-    boxAt(fitted.value ?? stageTrack.value, t.value),
+    withHeld(boxAt(fitted.value ?? stageTrack.value, t.value)),
     view.value ? 0 : panelInset(stageSize.value.width),
     // The grips of the lowest maps are as large as a finger, and stay above the verdict.
     selection.value ? FOOT + GRIP : FOOT,
   ),
 );
+
+/** What is fitted does not move while something is dragged, but grows where the shape at a way point would leave it. */
+const withHeld = (box: Box): Box => (heldBox.value ? union([box, heldBox.value]) : box);
 
 /** The view that fits both ends: zooms are kept relative to it, so that a link means the same at every moment. */
 export const baseView: ReadonlySignal<View> = computed(() => fitOnStage(pairBox.value));
