@@ -1,14 +1,14 @@
 import { computed, signal } from "@preact/signals";
 import { inputs as morph } from "#compute/inputs";
 import { locus, locusWindow } from "#compute/results";
-import { announce } from "#document/notice";
+import { announce, notify } from "#document/notice";
 import { formatNumber } from "#format/numbers";
 import { powerWords, resolutionWords } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { submit } from "#workers/pool/engine";
 import type { Job } from "#workers/pool/protocol";
 import css from "../field.module.css";
-import { directionWords, narrowed, nearestOther, probes, type Side, uniform } from "./boundary";
+import { BoundarySearch, directionWords, othersOf, type Side, uniform } from "./boundary";
 import { shownField } from "./shown";
 import { epsilon, family, fly, shownWindow, view } from "./view";
 
@@ -30,10 +30,10 @@ const whole = computed(() => {
   return pyramid?.read(pyramid.boundsOf(0, { x0: 0, y0: 0, x1: 252, y1: 252 }), 1) ?? null;
 });
 
-const target = computed((): Uv | null => {
+const others = computed((): readonly Uv[] => {
   const now = side.value;
   const field = whole.value;
-  return now && field ? nearestOther(field, middle(), now.side) : null;
+  return now && field ? othersOf(field, middle(), now.side) : [];
 });
 
 const going = signal(false);
@@ -43,7 +43,7 @@ export function ToBoundary() {
   const now = side.value;
   if (now === null) return null;
   const from = middle();
-  const to = target.value;
+  const to = others.value[0] ?? null;
   const far = to === null ? 0 : Math.hypot(to[0] - from[0], to[1] - from[1]);
   const angle = to === null ? 0 : Math.atan2(to[1] - from[1], to[0] - from[0]);
   return (
@@ -54,7 +54,7 @@ export function ToBoundary() {
           type="button"
           class="button"
           disabled={going.value}
-          onClick={() => go(from, to, now.side)}
+          onClick={() => go(from, others.peek(), now.side)}
           aria-label={`To the nearest boundary, ${directionWords(from, to)}`}
         >
           <span class={css["to-arrow"]} style={{ rotate: `${-angle}rad` }} aria-hidden="true">
@@ -73,12 +73,11 @@ function sideWords({ side: which, proved }: { side: Side; proved: boolean }): st
   return `All of this looks whole at ${resolutionWords(epsilon.value)}.`;
 }
 
-/** Rounds of closing in: with 16 parts each, as near as numbers go. */
-const MOST_ROUNDS = 13;
-
-/** Goes to where the line to the target first changes sides, as exactly as the window needs. */
-function go(from: Uv, to: Uv, which: Side): void {
+/** Goes to where the way to the nearest other sample first changes sides, as exactly as the window needs. */
+function go(from: Uv, samples: readonly Uv[], which: Side): void {
   const { family: kind, w, zoom } = view.peek();
+  const [to] = samples;
+  if (!to) return;
   if (kind !== "morph") {
     // Samples of a family are not asked for one by one: so far away that the sample beyond the boundary is seen.
     fly({ x: to[0], y: to[1], zoom: Math.min(zoom, FAMILY_ZOOM) });
@@ -86,43 +85,46 @@ function go(from: Uv, to: Uv, which: Side): void {
   }
   going.value = true;
   const close = (a: Uv, b: Uv) => Math.hypot(a[0] - b[0], a[1] - b[1]) * zoom < 0.05;
-  const arrive = (a: Uv, b: Uv) => {
-    going.value = false;
-    fly({ x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, zoom });
-    announce("At the boundary.");
-  };
-  let [a, b] = [from, to];
-  let round = 0;
+  const search = new BoundarySearch(from, samples, which, close);
   // Each round hangs on the one before it.
   let asked = false;
   const { from: maps, to: last, options } = morph.peek();
+  const nearness = epsilon.peek();
   const job: Job<"states"> = {
     channel: "boundary",
     priority: () => 45,
     next() {
-      if (round >= MOST_ROUNDS || close(a, b) || asked) return null;
+      if (asked) return null;
+      const places = search.next();
+      if (places.length === 0) return null;
       asked = true;
-      round++;
-      const points = probes(a, b).map(([u, v]): Uv => (w === 0 ? [u, v] : [u, v, w]));
-      return {
-        kind: "states",
-        from: maps,
-        to: last,
-        options: { ...options, epsilon: epsilon.peek() },
-        points,
-      };
+      const points = places.map(([u, v]): Uv => (w === 0 ? [u, v] : [u, v, w]));
+      return { kind: "states", from: maps, to: last, options: { ...options, epsilon: nearness }, points };
     },
     accept(_, states) {
       asked = false;
-      [a, b] = narrowed(a, b, states, which);
+      search.take(states);
     },
+    // What cannot be told is on no side.
     fail() {
-      round = MOST_ROUNDS;
       asked = false;
+      search.take([]);
     },
-    done: () => arrive(a, b),
+    done() {
+      going.value = false;
+      if (search.found) arrive(...search.found, zoom);
+      else notify({ kind: "info", text: NOWHERE(resolutionWords(nearness)) });
+    },
   };
   submit(job);
+}
+
+const NOWHERE = (nearness: string) =>
+  `What looks whole near here on the map of everything is in pieces at ${nearness}: no boundary was found.`;
+
+function arrive(a: Uv, b: Uv, zoom: number): void {
+  fly({ x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, zoom });
+  announce("At the boundary.");
 }
 
 /** A step of the whole plane is seen from here. */

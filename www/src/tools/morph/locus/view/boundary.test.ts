@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Uv } from "#geometry/path";
 import { STATE } from "#geometry/states";
-import { directionWords, narrowed, nearestOther, probes, sideOf, uniform } from "./boundary";
+import { BoundarySearch, directionWords, narrowed, othersOf, probes, sideOf, uniform } from "./boundary";
 
 const field = (rows: readonly string[]) => {
   const codes = {
@@ -31,12 +31,23 @@ describe("a view of one colour", () => {
     expect(uniform(field(["c.", "cc"]))).toBeNull();
   });
 
-  it("has the nearest sample of the other side, whichever way it lies", () => {
+  it("has samples of the other side, the nearest first, up to one that is so however closely one looks", () => {
     const map = field(["ccccd", "ccccc", "ccccc", "dcccc"]);
-    expect(nearestOther(map, [3.4, 2.8], "holds")).toEqual([4, 3]);
-    expect(nearestOther(map, [0.9, 0.2], "holds")).toEqual([0, 0]);
-    expect(nearestOther(map, [0, 0], "broken")).toEqual([1, 0]);
-    expect(nearestOther(field(["cc", "c."]), [0, 0], "holds")).toBeNull();
+    expect(othersOf(map, [3.4, 2.8], "holds")).toEqual([[4, 3]]);
+    expect(othersOf(map, [0.9, 0.2], "holds")).toEqual([[0, 0]]);
+    expect(othersOf(map, [0, 0], "broken")).toEqual([[1, 0]]);
+    expect(othersOf(field(["cc", "c."]), [0, 0], "holds")).toEqual([]);
+    expect(othersOf(field(["dtttcc"]), [0, 0], "broken")).toEqual([
+      [1, 0],
+      [2, 0],
+      [3, 0],
+      [4, 0],
+    ]);
+    // What is proved is never left out, however much else there is.
+    expect(othersOf(field(["dtttcc"]), [0, 0], "broken", 1)).toEqual([
+      [1, 0],
+      [4, 0],
+    ]);
   });
 
   it("says the way in words", () => {
@@ -75,5 +86,34 @@ describe("the boundary between two points", () => {
       [16, 0],
     ]);
     expect(sideOf(STATE.undecided)).toBe("unknown");
+  });
+});
+
+describe("the search for the boundary", () => {
+  const run = (others: Uv[], stateAt: (at: Uv) => number) => {
+    const search = new BoundarySearch([0, 0], others, "broken", ([a], [b]) => Math.abs(a - b) < 1e-9);
+    for (let places = search.next(); places.length > 0; places = search.next())
+      search.take(places.map(stateAt));
+    return search.found;
+  };
+
+  it("goes on to the next sample where one is in pieces as closely as one looks now", () => {
+    const stateAt = ([u]: Uv) => (u < 0.7 ? STATE.disconnected : STATE.connected);
+    const found = run(
+      [
+        [0.3, 0],
+        [0.5, 0],
+        [0.9, 0],
+      ],
+      stateAt,
+    );
+    expect(found?.[0][0]).toBeCloseTo(0.7, 8);
+    expect(found?.[1][0]).toBeCloseTo(0.7, 8);
+  });
+
+  it("says that there is none instead of leading to a sample that is no other", () => {
+    const many = Array.from({ length: 40 }, (_, k): Uv => [k + 1, 0]);
+    expect(run(many, () => STATE.hidden)).toBeNull();
+    expect(run(many, () => STATE.undecided)).toBeNull();
   });
 });

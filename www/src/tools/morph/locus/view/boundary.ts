@@ -33,23 +33,37 @@ export function uniform({ state }: Pick<Field, "state">): { side: Side; proved: 
   return { side, proved };
 }
 
-/** The sample of a field that is nearest to a place and on the other side; null where there is none. */
-export function nearestOther(field: Locus & { bounds: Bounds }, [u, v]: Uv, side: Side): Uv | null {
+/**
+ * Samples of a field that are on the other side of a place, the nearest first. What is proved to hold does so however
+ * closely one looks, and what only looks whole may not: of that kind there are but so many, and the nearest that is
+ * proved is the last.
+ */
+export function othersOf(
+  field: Locus & { bounds: Bounds },
+  [u, v]: Uv,
+  side: Side,
+  most = MOST_OTHERS,
+): Uv[] {
   const { u0, v0, u1, v1 } = field.bounds;
   const [du, dv] = [(u1 - u0) / Math.max(1, field.width - 1), (v1 - v0) / Math.max(1, field.height - 1)];
-  let best: Uv | null = null;
-  let least = Number.POSITIVE_INFINITY;
+  const others: { at: Uv; far: number; sure: boolean }[] = [];
   for (let j = 0; j < field.height; j++) {
     for (let i = 0; i < field.width; i++) {
-      const other = sideOf(field.state[j * field.width + i]);
+      const state = field.state[j * field.width + i];
+      const other = sideOf(state);
       if (other === side || other === "unknown") continue;
       const at: Uv = [u0 + i * du, v0 + j * dv];
-      const far = Math.hypot(at[0] - u, at[1] - v);
-      if (far < least) [best, least] = [at, far];
+      others.push({ at, far: Math.hypot(at[0] - u, at[1] - v), sure: state !== STATE.touching });
     }
   }
-  return best;
+  others.sort((p, q) => p.far - q.far);
+  const sure = others.findIndex((one) => one.sure);
+  const chosen = others.slice(0, sure < 0 ? most : Math.min(most, sure));
+  return [...chosen, ...(sure < 0 ? [] : others.slice(sure, sure + 1))].map(({ at }) => at);
 }
+
+/** So many that only look whole are looked at. */
+const MOST_OTHERS = 96;
 
 const COMPASS = [
   "to the right",
@@ -68,7 +82,7 @@ export function directionWords([u, v]: Uv, [x, y]: Uv): string {
   return COMPASS[((eighth % 8) + 8) % 8] ?? COMPASS[0];
 }
 
-/** Points of one round between two that are on different sides. */
+/** Points of one round between two that are on different sides, and one more. */
 export const PROBES = 16;
 
 /** Places that divide a line evenly, its ends left out. */
@@ -89,4 +103,55 @@ export function narrowed(from: Uv, to: Uv, states: ArrayLike<number>, side: Side
     if (now === side) last = at;
   }
   return [last, to];
+}
+
+/** Rounds of closing in: with 16 parts each, as near as numbers go. */
+const MOST_ROUNDS = 13;
+
+/**
+ * The search for where the way out of a place first changes sides: first for a sample that is on the other side as
+ * closely as one looks now, then between both.
+ */
+export class BoundarySearch {
+  readonly #from: Uv;
+  readonly #side: Side;
+  readonly #close: (a: Uv, b: Uv) => boolean;
+  #others: Uv[];
+  #between: [Uv, Uv] | null = null;
+  #asked: Uv[] = [];
+  #rounds = 0;
+
+  constructor(from: Uv, others: readonly Uv[], side: Side, close: (a: Uv, b: Uv) => boolean) {
+    this.#from = from;
+    this.#others = [...others];
+    this.#side = side;
+    this.#close = close;
+  }
+
+  /** What to look at next; nothing where all is known. */
+  next(): Uv[] {
+    if (this.#between === null) this.#asked = this.#others.splice(0, PROBES);
+    else if (this.#rounds++ < MOST_ROUNDS && !this.#close(...this.#between))
+      this.#asked = probes(...this.#between);
+    else this.#asked = [];
+    return this.#asked;
+  }
+
+  /** Takes the states of what was asked for. */
+  take(states: ArrayLike<number>): void {
+    if (this.#between) {
+      this.#between = narrowed(...this.#between, states, this.#side);
+      return;
+    }
+    const other = this.#asked.find((_, k) => {
+      const now = sideOf(states[k]);
+      return now !== this.#side && now !== "unknown";
+    });
+    if (other) this.#between = [this.#from, other];
+  }
+
+  /** Both sides of the boundary; null where there is none to be found. */
+  get found(): readonly [Uv, Uv] | null {
+    return this.#between;
+  }
 }
