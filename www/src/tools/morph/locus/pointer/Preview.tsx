@@ -12,6 +12,9 @@ import { type Pointed, pointed, type Seen, SIDE, seen } from "./hover";
 
 const REST_MS = 700;
 
+/** Numbers of more letters than these have a line of their own. */
+const LONG = 12;
+
 /**
  * The attractor at the parameter that is pointed at, beside it: it takes nothing and hides nothing that is pointed at.
  */
@@ -67,7 +70,10 @@ function parameterWords([u, v, w = 0]: Uv): string {
   if (view.value.family === "polygon") {
     return `s = ${inDigits(u)} ${v < 0 ? "−" : "+"} ${inDigits(Math.abs(v))} i`;
   }
-  return `u ${inDigits(u)}  v ${inDigits(v)}${w === 0 ? "" : `  w ${inDigits(w)}`}`;
+  const wide = inDigits(u).length > LONG;
+  return [`u ${inDigits(u)}`, `v ${inDigits(v)}`, ...(w === 0 ? [] : [`w ${inDigits(w)}`])].join(
+    wide ? "\n" : "  ",
+  );
 }
 
 function Bitmap({ bitmap }: { bitmap: ImageBitmap | null }) {

@@ -162,7 +162,10 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
       if (before) down.current.set(event.pointerId, place);
       const now = drag.current;
       if (now === null) {
-        if (event.pointerType === "mouse" && event.buttons === 0) hover(place);
+        if (event.pointerType !== "mouse" || event.buttons !== 0) return;
+        // Who is at a button looks at nothing below it.
+        if (event.target instanceof Element && event.target.closest("button")) unhover();
+        else hover(place);
         return;
       }
       if (event.pointerId !== now.pointer) return;

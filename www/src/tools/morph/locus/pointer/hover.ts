@@ -1,6 +1,6 @@
 /** What is at the parameter that is pointed at: a small picture and a verdict, asked for at low cost. */
 
-import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { pieceColours } from "#document/colours";
 import { mapsAt } from "#document/morph";
 import { dark } from "#document/preferences";
@@ -10,7 +10,7 @@ import { frond } from "#wasm/core";
 import { Coalesce } from "#workers/pool/coalesce";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import type { Job } from "#workers/pool/protocol";
-import { epsilon, view } from "../view/view";
+import { epsilon, shownWindow, view } from "../view/view";
 
 /** CSS pixels. */
 export const SIDE = 128;
@@ -52,6 +52,12 @@ function mapsThere(at: Uv): MapRow[] | null {
 
 const queue = new Coalesce(submit);
 
+/** What the square shows, as a word: views that show the same are the same. */
+const edges = computed(() => {
+  const { u0, v0, u1, v1 } = shownWindow.value;
+  return `${u0} ${v0} ${u1} ${v1}`;
+});
+
 /** Answers to what is pointed at. Returns the end of it. */
 export function followPointer(): () => void {
   const stop = effect(() => {
@@ -66,9 +72,17 @@ export function followPointer(): () => void {
     epoch.value;
     untracked(() => queue.reset());
   });
+  const leave = effect(() => {
+    edges.value;
+    // Under a hand that rests there is something else now.
+    untracked(() => {
+      if (pointed.peek()?.by === "mouse") pointed.value = null;
+    });
+  });
   return () => {
     stop();
     renew();
+    leave();
     cancel("hover");
     queue.reset();
     drop();
