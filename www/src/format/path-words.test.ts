@@ -35,6 +35,10 @@ describe("pathWords", () => {
   it("says so too where no pixel shows it", () => {
     const words = pathWords({ states: along([89, touching], [95, hidden]), widest: 0.0015 });
     expect(words).toBe("In pieces, proved, between 90% and 96%, gap 0.15%, finer than 1/600.");
+    // Read off the map, how wide it is is not known: it is not 0.
+    expect(pathWords({ states: along([89, touching], [95, hidden]), widest: 0, progress: 0.9 })).toBe(
+      "In pieces, proved, between 90% and 96% so far, by a gap finer than 1/600.",
+    );
     // Beside gaps that are seen, not.
     const both = along([20, touching], [30, disconnected], [89, touching], [95, hidden]);
     expect(pathWords({ states: both, widest: 0.03 })).not.toContain("finer");

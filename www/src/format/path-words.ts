@@ -102,7 +102,10 @@ export function pathWords({ states, widest, proved = false, progress = 1 }: Path
   };
   const wide = said(STATE.disconnected, `, widest gap ${shareWords(widest)}`);
   // Where wider gaps are told of, those that nobody sees are not worth a sentence.
-  const finer = `, gap ${shareWords(widest)}, finer than ${resolutionWords(RESOLUTION)}`;
+  const least = resolutionWords(RESOLUTION);
+  // Of what is read off the map only that much is known.
+  const finer =
+    widest > 0 ? `, gap ${shareWords(widest)}, finer than ${least}` : `, by a gap finer than ${least}`;
   const narrow = wide.length === 0 ? said(STATE.hidden, finer) : [];
   const words = [...wide, ...narrow, ...said(STATE.none, ""), ...said(STATE.undecided, "")];
   if (words.length > 0) return words.join(" ");

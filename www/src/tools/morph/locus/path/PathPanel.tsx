@@ -75,7 +75,7 @@ function PathVerdict() {
     <p class={`path-verdict ${breaks ? "broken" : "whole"}`}>
       <span class="mark" aria-hidden="true" />
       <span>
-        {words} {!breaks && roomWords(room.value)}
+        {words} {!breaks && !sought.value && roomWords(room.value)}
       </span>
     </p>
   );
