@@ -15,8 +15,8 @@ it("has one place for every kind of reason", () => {
   for (const kind of kinds()) expect(text.split(`id="${kind}"`), kind).toHaveLength(2);
 });
 
-it("has the theorem on joints, to which the path leads", () => {
-  expect(theorems().split('id="joints"')).toHaveLength(2);
+it("has the theorems on joints and on what lies apart, to which the path and the verdict lead", () => {
+  for (const kind of ["joints", "apart"]) expect(theorems().split(`id="${kind}"`), kind).toHaveLength(2);
 });
 
 it("closes what it opens", () => {

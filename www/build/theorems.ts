@@ -1,5 +1,6 @@
 /**
- * "What the proofs rest on": the theorems behind every "In one piece, proved", each with its proof. The sections are
+ * "What the proofs rest on": the theorems behind every "In one piece, proved", and behind "In pieces, proved", each with
+ * its proof. The sections are
  * named as the reasons of the programming interface are.
  */
 import { escaped } from "../src/format/html.ts";
@@ -131,6 +132,21 @@ const THEOREMS: readonly Theorem[] = [
       become the same where pieces are split into all of theirs. What rounding leaves of the joints is bounded: if both ends are within
       $d$ of their images, no norm is above $s < 1$ and joints are joined to within $j$, pieces that meet there are no further apart than
       $$j + \frac{2 s d}{1 - s}.$$</p>`,
+  },
+  {
+    kinds: ["apart"],
+    title: "Pieces that lie apart",
+    text: `
+      <p><strong>Theorem.</strong> Let $P$ be a convex polygon that all words of some $n$ letters map into itself, and let the maps be
+      divided into two kinds, neither of them empty. Begin with all pairs $(i, j)$ of a map of the first kind and one of the second. Put
+      in the place of a pair $(u, v)$ of words either all $(uk, v)$ or all $(u, vk)$, where $k$ goes through all maps, and so on, finitely
+      often. If for each pair that is left a straight line has $f_u(P)$ on its one side and $f_v(P)$ on its other, without touching
+      either, then $A$ is not connected.</p>
+      <p><strong>Proof.</strong> The words of $n$ letters have the attractor $A$, too. Their images of $P$, and the images of these, lie
+      in $P$ and come as near to $A$ as one likes (Hutchinson 1981). So $A$ lies in $P$, and each $A_u$ in $f_u(P)$. Therefore $A_u$ and
+      $A_v$ have no point in common where $(u, v)$ is left. Since $A_u$ is the union of all $A_{uk}$, the same is then true of the pairs in whose
+      place others were put, and in the end of all $(i, j)$. So $A$ is the union of two sets, the pieces of the one kind and those of the
+      other, which are not empty, compact, and have no point in common. ∎</p>`,
   },
 ];
 

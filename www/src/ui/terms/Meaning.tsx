@@ -24,6 +24,14 @@ export function Meaning({ name }: { name: TermName }) {
             Lesson
           </a>
         )}
+        {name === "proved" && (
+          <>
+            {" · "}
+            <a href="./theorems.html" target="_blank" rel="noopener">
+              Why that is a proof
+            </a>
+          </>
+        )}
       </span>
     )
   );

@@ -49,6 +49,7 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
         </p>
       )}
       {answer.components.length > 0 && <Groups answer={answer} />}
+      {answer.verdict === "disconnected" && <Why kind="apart" />}
       {isWritten(answer) && <Proof connected={answer.verdict === "connected"} />}
       <Switch
         checked={evidenceKept.value}
@@ -128,12 +129,19 @@ function Because({ reason }: { reason: Reason }) {
           {example !== undefined && <p>{addressWords(example)}</p>}
         </details>
       )}
-      <p>
-        <a href={`./theorems.html#${kind}`} target="_blank" rel="noopener">
-          Why that is a proof
-        </a>
-      </p>
+      <Why kind={kind} />
     </div>
+  );
+}
+
+/** The theorem that it rests on, by the name of its section. */
+function Why({ kind }: { kind: Reason["kind"] | "apart" }) {
+  return (
+    <p>
+      <a href={`./theorems.html#${kind}`} target="_blank" rel="noopener">
+        Why that is a proof
+      </a>
+    </p>
   );
 }
 
