@@ -30,7 +30,7 @@ export function turnedWords(name: string, { place }: Pick<Route, "place">): stri
 
 const NAMES: Partial<Record<Route["kind"], string>> = {
   correspondence: "Matched otherwise",
-  place: "From another place",
+  place: "With shape B laid elsewhere",
   symmetry: "Through a symmetry",
   mirror: "Towards the mirror image",
   refine: "With its pieces split otherwise",
