@@ -1,5 +1,5 @@
 import "#ui/panel/fold.css";
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 import { inputs } from "#compute/inputs";
 import type { Field } from "#compute/locus/pyramid";
@@ -7,22 +7,27 @@ import { locusWindow } from "#compute/results";
 import type { Uv } from "#geometry/path";
 import { cancel, submit } from "#workers/pool/engine";
 import type { Cause, Job } from "#workers/pool/protocol";
-import { CLOSER, causeWords, chosen, counted } from "./causes";
+import { CLOSER, causeWords, chosen, counted, isOf, type Looked } from "./causes";
 import { shownField } from "./shown";
-import { epsilon, view } from "./view";
+import { epsilon, shownWindow, view } from "./view";
 
 /** Samples looked at in one slice, and milliseconds for which the map has to be still before. */
 const AT_ONCE = 2;
 const STILL = 1500;
 
-const found = signal<{ causes: Cause[]; of: number } | null>(null);
+const found = signal<Looked | null>(null);
+
+const where = computed(() => {
+  const { u0, v0, u1, v1 } = shownWindow.value;
+  return [u0, v0, u1, v1, view.value.w, epsilon.value].join(" ");
+});
 
 /** Why samples of the map only look whole. */
 export function Causes() {
   const [open, setOpen] = useState(false);
   const whole = locusWindow.value?.progress === 1;
   useLook(open && whole ? shownField.value : null);
-  const now = found.value;
+  const now = isOf(found.value, inputs.value, where.value);
   return (
     <details class="fold" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>What only looks whole, by cause</summary>
@@ -67,8 +72,8 @@ function look(field: Field): void {
   const { from, to, options } = inputs.peek();
   const { w } = view.peek();
   const points = chosen(field).map(([u, v]): Uv => (w === 0 ? [u, v] : [u, v, w]));
-  const of = points.length;
-  found.value = { causes: [], of };
+  const looked: Looked = { causes: [], of: points.length, inputs: inputs.peek(), where: where.peek() };
+  found.value = looked;
   const closer = { ...options, epsilon: CLOSER * epsilon.peek() };
   const job: Job<"causes"> = {
     channel: "causes",
@@ -79,11 +84,11 @@ function look(field: Field): void {
       return some.length > 0 ? { kind: "causes", from, to, options: closer, points: some } : null;
     },
     accept(_, causes) {
-      found.value = { causes: [...(found.peek()?.causes ?? []), ...causes], of };
+      found.value = { ...looked, causes: [...(found.peek()?.causes ?? []), ...causes] };
     },
     fail(task) {
       const causes = task.points.map((): Cause => "open");
-      found.value = { causes: [...(found.peek()?.causes ?? []), ...causes], of };
+      found.value = { ...looked, causes: [...(found.peek()?.causes ?? []), ...causes] };
     },
   };
   submit(job);

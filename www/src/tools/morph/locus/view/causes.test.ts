@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { STATE } from "#geometry/states";
-import { causeWords, chosen, counted } from "./causes";
+import { causeWords, chosen, counted, isOf } from "./causes";
 
 const bounds = { u0: -1, v0: -1, u1: 2, v1: 2 };
 
@@ -40,4 +40,13 @@ describe("causes", () => {
     expect(all.filter((words) => words.includes("proves it"))).toEqual([causeWords("search", 1 / 600)]);
     expect(causeWords("near", 1 / 600)).toContain("1/600 000");
   });
+});
+
+it("says of a map nothing that was found of another", () => {
+  const [inputs, other] = [{}, {}];
+  const found = { causes: [], of: 3, inputs, where: "all" };
+  expect(isOf(found, inputs, "all")).toBe(found);
+  expect(isOf(found, other, "all")).toBeNull();
+  expect(isOf(found, inputs, "nearer")).toBeNull();
+  expect(isOf(null, inputs, "all")).toBeNull();
 });

@@ -17,6 +17,20 @@ interface Sampled {
   bounds: Bounds;
 }
 
+/** What was found of a map, and of which one. */
+export interface Looked {
+  causes: Cause[];
+  of: number;
+  /** The morph, as one value. */
+  inputs: object;
+  /** The part of its map, and how near pieces count as touching. */
+  where: string;
+}
+
+/** The same of the map that is shown now; null of any other. */
+export const isOf = (found: Looked | null, inputs: object, where: string): Looked | null =>
+  found?.inputs === inputs && found.where === where ? found : null;
+
 /** Samples that only look whole, evenly chosen from all of them. */
 export function chosen({ width, height, state, bounds: { u0, v0, u1, v1 } }: Sampled): Uv[] {
   const all: number[] = [];
