@@ -194,6 +194,30 @@ describe("Pyramid", () => {
     expect(after.read(window, 4).state.every((s) => s === STATE.pending)).toBe(true);
   });
 
+  it("shows one plane at a time, however much of the next is there, and whatever becomes of the base", () => {
+    const size = samplesAt(0);
+    const base = (state: number) => ({
+      width: size,
+      height: size,
+      state: new Uint8Array(size * size).fill(state),
+      gap: new Float32Array(size * size),
+      progress: 0,
+    });
+    let whole = base(STATE.touching);
+    const before = new Pyramid(morph, () => whole);
+    work(before, view(4), true, 3);
+    const [window, last] = [windowOf(view(4)), before.read(windowOf(view(4)), 4).state];
+    const after = new Pyramid({ ...morph, w: 0.1 }, () => whole, before);
+    whole = base(STATE.hidden);
+    work(after, view(4), true, 3);
+    expect(after.read(window, 4).state).toEqual(last);
+    // What never came to be shown is not what is shown next.
+    const third = new Pyramid({ ...morph, w: 0.2 }, () => whole, after.shown);
+    expect(third.read(window, 4).state).toEqual(last);
+    third.forget();
+    expect(third.read(window, 4).state.every((s) => s === STATE.hidden)).toBe(true);
+  });
+
   it("ends what was begun when one looks elsewhere and back", () => {
     const pyramid = new Pyramid(morph);
     const { found, job } = work(pyramid, view(3), false, 40);

@@ -72,20 +72,32 @@ export type Base = Locus & { progress: number };
 export class Pyramid {
   readonly source: LocusSource;
   readonly #tiles = new Map<string, Tile>();
-  readonly #base: () => Base | null;
+  #base: () => Base | null;
   #previous: Pyramid | null;
 
   /**
-   * `base` is the whole plane at level 0, where somebody else keeps it; then there are no tiles of that level. What is
-   * not known yet is shown as the `previous` plane had it, until `forget`.
+   * `base` is the whole plane at level 0, where somebody else keeps it; then there are no tiles of that level. Until
+   * `forget` the `previous` plane is what is shown, and all of it: of two planes that are mixed nobody can tell which is
+   * where.
    */
   constructor(source: LocusSource, base: (() => Base | null) | null = null, previous: Pyramid | null = null) {
     this.source = source;
     this.#base = base ?? (() => null);
     this.#previous = previous;
     this.based = base !== null;
-    // Only one step back: a long drag would chain them without end.
-    if (previous) previous.#previous = null;
+    if (previous) previous.#stand();
+  }
+
+  /** Stays as it is from now on, without what it followed: a long drag would chain them without end. */
+  #stand(): void {
+    const base = this.#base();
+    this.#base = () => base;
+    this.#previous = null;
+  }
+
+  /** The plane that is shown, which may be the previous one. */
+  get shown(): Pyramid {
+    return this.#previous ?? this;
   }
 
   /** Whether level 0 is kept elsewhere. */
@@ -232,6 +244,7 @@ export class Pyramid {
 
   /** What is known of a window, at the fineness of its zoom: coarser samples stand in for those that are missing. */
   read(window: Bounds, zoom: number): Field {
+    if (this.#previous) return this.#previous.read(window, zoom);
     const level = levelOf(zoom);
     const span = this.span(window, level);
     const width = span.x1 - span.x0 + 1;
@@ -248,8 +261,7 @@ export class Pyramid {
     for (let j = at(span.y0); j <= at(span.y1); j++) {
       for (let i = at(span.x0); i <= at(span.x1); i++) {
         const id = { level, i, j };
-        const before = this.#previous ?? this;
-        if (!this.#copy(id, span, field) && !before.#copy(id, span, field)) this.#layBase(id, span, field);
+        if (!this.#copy(id, span, field)) this.#layBase(id, span, field);
         if (!this.#tiles.get(keyOf(id))?.fine) this.#layFiner(id, span, field);
       }
     }

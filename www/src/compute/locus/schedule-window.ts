@@ -13,8 +13,12 @@ import { Soon } from "./soon";
 import { clampedView, levelOf, viewProblem } from "./window";
 import { WindowWork } from "./window-job";
 
-/** While something is dragged, a coarse picture that is nearly done is let finish, so that there is one to see. */
-const GRACE_MS = 150;
+/**
+ * While something is dragged, a coarse picture is let finish, so that there is one to see: until then the last one is.
+ * Where that takes longer, what there is of it is shown.
+ */
+const GRACE_MS = 400;
+const PATIENCE_MS = 800;
 /** After so long at rest what only seems to hold is proved, and that is painted once in so long. */
 const REST_MS = 400;
 const PROOFS_MS = 250;
@@ -78,7 +82,7 @@ function start(next: LocusSource): void {
   if (waiting) clearTimeout(waiting);
   waiting = null;
   const based = next.family === "morph" && next.w === 0;
-  const before = pyramid?.family === next.family ? pyramid : null;
+  const before = pyramid?.family === next.family ? pyramid.shown : null;
   pyramid = new Pyramid(next, based ? () => publish.locus.peek() : null, before);
   cancel("window");
   cancel("window-proofs");
@@ -89,7 +93,9 @@ function start(next: LocusSource): void {
     mine,
     {
       painted: () => {
-        if (mine === pyramid) soon.ask(work?.progress === 1);
+        if (mine !== pyramid || !work) return;
+        if (performance.now() - work.started > PATIENCE_MS) mine.forget();
+        soon.ask(work.progress === 1);
       },
       coarse: () => {
         if (mine !== pyramid) return;
