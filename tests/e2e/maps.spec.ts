@@ -4,6 +4,8 @@ test("maps are changed by hand, by numbers and by keys, and their number, too", 
   await studio.open("a=gasket&b=gasket&path=straight");
   await test.step("a parallelogram is dragged by its corner: one step of undo", async () => {
     await page.getByRole("button", { name: "Edit the maps of A" }).click();
+    // The map of the morph, which follows, is in sight beside the numbers.
+    await expect(studio.square).toBeInViewport({ ratio: 1 });
     const before = await studio.look();
     const { maps } = (await studio.scene()).a;
     const grip = page.getByRole("button", { name: /^Map 1, turns and scales it/ });
