@@ -83,7 +83,7 @@ describe("Pyramid", () => {
     const { found, job, tasks } = work(pyramid, at, true);
     expect(tasks).toHaveLength(32);
     const coarse = tasks.slice(0, 16);
-    expect(coarse.every((t) => t.kind === "patch" && t.x1 <= TILE / 4)).toBe(true);
+    expect(coarse.every((t) => t.kind === "patch" && t.x1 - t.x0 <= TILE / 4)).toBe(true);
     expect(new Set(tasks.slice(16).map((t) => t.kind === "patch" && `${t.x0},${t.y0}`)).size).toBe(16);
     expect(found.want(at)).toBe(false);
     expect(job.next()).toBeNull();
@@ -196,25 +196,31 @@ describe("Pyramid", () => {
 
   it("shows one plane at a time, however much of the next is there, and whatever becomes of the base", () => {
     const size = samplesAt(0);
-    const base = (state: number) => ({
+    const base = (state: number, progress: number) => ({
       width: size,
       height: size,
       state: new Uint8Array(size * size).fill(state),
       gap: new Float32Array(size * size),
-      progress: 0,
+      progress,
     });
-    let whole = base(STATE.touching);
+    let whole = base(STATE.touching, 0.9);
     const before = new Pyramid(morph, () => whole);
     work(before, view(4), true, 3);
-    const [window, last] = [windowOf(view(4)), before.read(windowOf(view(4)), 4).state];
+    const window = windowOf(view(4));
+    // As one word: two long arrays that differ take minutes to be told apart.
+    const shown = (pyramid: Pyramid) => Buffer.from(pyramid.read(window, 4).state).toString("latin1");
+    const last = shown(before);
     const after = new Pyramid({ ...morph, w: 0.1 }, () => whole, before);
-    whole = base(STATE.hidden);
+    whole = base(STATE.hidden, 0);
     work(after, view(4), true, 3);
-    expect(after.read(window, 4).state).toEqual(last);
+    expect(shown(after) === last).toBe(true);
     // What never came to be shown is not what is shown next.
     const third = new Pyramid({ ...morph, w: 0.2 }, () => whole, after.shown);
-    expect(third.read(window, 4).state).toEqual(last);
+    expect(shown(third) === last).toBe(true);
     third.forget();
+    // A base of which nothing is known yet is still that of another plane.
+    expect(third.read(window, 4).state.every((s) => s === STATE.pending)).toBe(true);
+    whole = { ...whole, progress: 0.1 };
     expect(third.read(window, 4).state.every((s) => s === STATE.hidden)).toBe(true);
   });
 

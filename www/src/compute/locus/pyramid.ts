@@ -74,6 +74,7 @@ export class Pyramid {
   readonly #tiles = new Map<string, Tile>();
   #base: () => Base | null;
   #previous: Pyramid | null;
+  #stands = false;
 
   /**
    * `base` is the whole plane at level 0, where somebody else keeps it; then there are no tiles of that level. Until
@@ -92,6 +93,7 @@ export class Pyramid {
   #stand(): void {
     const base = this.#base();
     this.#base = () => base;
+    this.#stands = true;
     this.#previous = null;
   }
 
@@ -271,6 +273,8 @@ export class Pyramid {
   #layBase(id: TileId, span: Span, field: Field): void {
     const base = this.based && id.level <= FARTHEST ? this.#base() : null;
     if (!base) return;
+    // One of which nothing is known is still that of another plane; by itself that plane is shown until there is more.
+    if (id.level > 0 && base.progress === 0 && !this.#stands) return;
     const { width, height } = base;
     const whole: Tile = { level: 0, i: 0, j: 0, width, height, coarse: null, fine: base, tried: new Set() };
     this.#lay(id, span, field, whole, 2 ** id.level);

@@ -15,10 +15,9 @@ import { WindowWork } from "./window-job";
 
 /**
  * While something is dragged, a coarse picture is let finish, so that there is one to see: until then the last one is.
- * Where that takes longer, what there is of it is shown.
+ * Where it takes longer than this, what there is of it is shown, and the next one begun.
  */
-const GRACE_MS = 400;
-const PATIENCE_MS = 800;
+const GRACE_MS = 3000;
 /** After so long at rest what only seems to hold is proved, and that is painted once in so long. */
 const REST_MS = 400;
 const PROOFS_MS = 250;
@@ -94,7 +93,7 @@ function start(next: LocusSource): void {
     {
       painted: () => {
         if (mine !== pyramid || !work) return;
-        if (performance.now() - work.started > PATIENCE_MS) mine.forget();
+        if (performance.now() - work.started > GRACE_MS) mine.forget();
         soon.ask(work.progress === 1);
       },
       coarse: () => {

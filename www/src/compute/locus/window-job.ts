@@ -35,7 +35,7 @@ export class WindowWork {
   /** Whether the program decides rectangles at once. */
   readonly #patches: boolean;
   readonly #slices = new WeakMap<object, Slice>();
-  readonly #levelKeys = new Map<number, number>();
+  readonly #gridKeys = new Map<string, number>();
   #coarse: TileId[] = [];
   #fine: TileId[] = [];
   /** Tiles that are handed out and not back, or handed out in part. */
@@ -119,8 +119,8 @@ export class WindowWork {
     under.rows = rows[1];
     this.#under.set(name(id, what), under);
     const task =
-      what === "fine" && this.#patches && id.level <= WHOLE_LEVELS
-        ? this.#patchOfWhole(id)
+      this.#patches && id.level <= WHOLE_LEVELS
+        ? this.#patchOfWhole(id, thin)
         : this.#ofOwnGrid(id, thin, width, height, rows);
     this.#slices.set(task, slice);
     return task;
@@ -135,14 +135,20 @@ export class WindowWork {
     return { key: nextKey(), of, x0: 0, y0: 0 };
   }
 
-  /** One grid over all: its samples fall on 0 and 1 exactly, and the worker prepares it once. */
-  #patchOfWhole(id: TileId): Task<"patch"> {
-    const size = samplesAt(id.level);
-    const key = this.#levelKeys.get(id.level) ?? nextKey();
-    this.#levelKeys.set(id.level, key);
-    const { x0, y0, width, height } = this.pyramid.place(id);
+  /**
+   * One grid over all, or over every few samples: those fall on 0 and 1 exactly, and the worker prepares it once. Tiles
+   * begin at whole steps of it.
+   */
+  #patchOfWhole(id: TileId, thin = 1): Task<"patch"> {
+    const size = (samplesAt(id.level) - 1) / thin + 1;
+    const grid = `${id.level}/${thin}`;
+    const key = this.#gridKeys.get(grid) ?? nextKey();
+    this.#gridKeys.set(grid, key);
+    const place = this.pyramid.place(id);
+    const [x0, y0] = [place.x0 / thin, place.y0 / thin];
     const of = this.#of(homeOf(this.pyramid.family), size, size, id.level);
-    return { kind: "patch", key, of, x0, y0, x1: x0 + width, y1: y0 + height };
+    const [x1, y1] = [x0 + Math.ceil(place.width / thin), y0 + Math.ceil(place.height / thin)];
+    return { kind: "patch", key, of, x0, y0, x1, y1 };
   }
 
   #ofOwnGrid(id: TileId, thin: number, width: number, height: number, rows: [number, number]): Task<Kinds> {
