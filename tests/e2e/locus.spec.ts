@@ -111,6 +111,12 @@ test("the map is enlarged by wheel, keys, buttons and numbers, and moved by hand
     await times.press("Enter");
     await expect(times).toHaveAttribute("aria-invalid", "true");
     expect((await studio.scene()).locus?.zoom).toBe(1e13);
+    // What lies on no map is not shown either.
+    const at = page.getByRole("spinbutton", { name: /^Show the shape at/ });
+    await at.fill("1e308");
+    await at.press("Enter");
+    await expect(at).toHaveAttribute("aria-invalid", "true");
+    expect((await studio.scene()).locus?.at).toBeUndefined();
   });
 });
 

@@ -1,5 +1,5 @@
 import "#ui/panel/fold.css";
-import { LEAST_EPSILON, MOST_ZOOM } from "#compute/locus/window";
+import { homeOf, LEAST_EPSILON, MOST_ZOOM } from "#compute/locus/window";
 import { endGesture } from "#document/scene";
 import { zoomWords } from "#format/parameters";
 import { resolutionWords } from "#format/verdict";
@@ -71,12 +71,15 @@ function PickedFields({ across, up }: { across: string; up: string }) {
   const at = picked.value ?? [view.value.x, view.value.y];
   const { zoom } = view.value;
   const digits = Math.min(18, digitsOf(zoom) + 2);
+  const home = homeOf(family.value);
   return (
     <div class={`${fieldCss["window-fields"]} ${zoom > LONG ? "long" : ""}`}>
       <NumberField
         label="Show the shape at"
         symbol={across}
         value={at[0]}
+        min={home.u0}
+        max={home.u1}
         digits={digits}
         step={0.1 / zoom}
         onChange={(next) => pickPoint([next, at[1]], "pick-number")}
@@ -86,6 +89,8 @@ function PickedFields({ across, up }: { across: string; up: string }) {
         label="and"
         symbol={up}
         value={at[1]}
+        min={home.v0}
+        max={home.v1}
         digits={digits}
         step={0.1 / zoom}
         onChange={(next) => pickPoint([at[0], next], "pick-number")}
