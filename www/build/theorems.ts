@@ -1,7 +1,6 @@
 /**
- * "What the proofs rest on": the theorems behind every "In one piece, proved", and behind "In pieces, proved", each with
- * its proof. The sections are
- * named as the reasons of the programming interface are.
+ * "What the proofs rest on": the theorems behind every "In one piece, proved", and behind "In pieces, proved", each
+ * with its proof. The sections are named as the reasons of the programming interface are.
  */
 import { escaped } from "../src/format/html.ts";
 import { mathml } from "./mathml.ts";

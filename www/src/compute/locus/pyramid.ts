@@ -78,8 +78,8 @@ export class Pyramid {
 
   /**
    * `base` is the whole plane at level 0, where somebody else keeps it; then there are no tiles of that level. Until
-   * `forget` the `previous` plane is what is shown, and all of it: of two planes that are mixed nobody can tell which is
-   * where.
+   * `forget` the `previous` plane is what is shown, and all of it: of two planes that are mixed nobody can tell which
+   * is where.
    */
   constructor(source: LocusSource, base: (() => Base | null) | null = null, previous: Pyramid | null = null) {
     this.source = source;
