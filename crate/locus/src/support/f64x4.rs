@@ -8,7 +8,7 @@ use glam::DVec2;
 use wide::f64x4;
 
 /// Four numbers.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct F64x4(f64x4);
 
 /// Four vectors of the plane.
@@ -16,6 +16,14 @@ pub(crate) struct F64x4(f64x4);
 pub(crate) struct DVec2x4 {
     pub x: F64x4,
     pub y: F64x4,
+}
+
+impl Default for F64x4 {
+    /// Four zeros. Those of `wide`'s own are a call in WebAssembly, and took a fifth of the time of a locus.
+    #[inline(always)]
+    fn default() -> Self {
+        Self(f64x4::ZERO)
+    }
 }
 
 impl F64x4 {
