@@ -3,9 +3,11 @@
 //! `piece_distance` bounds the distance of two pieces; `pair_descent` splits pairs of pieces that are not told apart;
 //! `bracket` and `kruskal` say which pairs to look into, and so does `pairs`, for pieces of any kind. `word_pairs` and
 //! `difference_set` are two ways to name pieces: by their words, and, where all maps share one linear part, by how far
-//! they are moved. `trails` are ways to near points, for the next system to follow.
+//! they are moved; of two maps of one linear part `power_series` and `complex_series` tell all. `trails` are ways to
+//! near points, for the next system to follow.
 
 pub(crate) mod bracket;
+pub(crate) mod complex_series;
 pub(crate) mod difference_set;
 pub(crate) mod greedy;
 pub(crate) mod kruskal;

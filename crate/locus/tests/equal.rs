@@ -64,10 +64,9 @@ fn it_never_contradicts_the_general_path() {
             }
         }
     }
-    assert!(
-        15 * counts[0] > 2 * count && 5 * counts[1] > 2 * count && 3 * counts[2] > 4 * count,
-        "{counts:?}"
-    );
+    // Some that hold are proved to, segments that two maps cover among them.
+    let hold = counts[0] + counts[1];
+    assert!(15 * counts[0] > 2 * count && 15 * hold > 8 * count && 3 * counts[2] > 4 * count, "{counts:?}");
     assert!(counts[3] * 50 < counts[1] + counts[2], "{counts:?}");
 }
 

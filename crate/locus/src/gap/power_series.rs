@@ -5,13 +5,12 @@
 //! vanishes (Barnsley & Harrington 1985; Bousch 1988). A sum of finitely many terms is a value, too; and of all series
 //! that begin with a sum the values are as near it as the lengths of all further terms add up to.
 
-use std::f64::consts::FRAC_1_SQRT_2;
-
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
+use crate::gap::complex_series::{BRACKET_WIDTH, COSINE, ComplexSeries, Look, along};
 use crate::support::extremes::{larger, lesser};
-use crate::support::f64x4::{DVec2x4, F64x4};
+use crate::support::f64x4::F64x4;
 use crate::verdict::{Bounded, Sample, State};
 
 /// How far a sum may be from 0 for a quick look to go on with it, against the disc that the rest of the series reaches,
@@ -28,29 +27,42 @@ const LARGEST_NORM: f64 = 0.97;
 const MOST_SUMS: usize = 1500;
 /// Terms at most.
 const MOST_TERMS: usize = 96;
-/// How far the least value may be below the least found, relative to it.
-const BRACKET_WIDTH: f64 = 0.095;
 /// Finer resolutions are near what rounding leaves to see.
 const LEAST_EPSILON: f64 = 1e-11;
 /// What rounding adds to a sum, at most, for the length of its first term, where `1 / (1 - |M|)` is 1.
 const ROUNDING: f64 = 1e-14;
 /// What the terms leave out, against what is to be told.
 const LARGEST_REST: f64 = 0.004;
-/// Of half the angle between two of the eight directions.
-const COSINE: f64 = 0.980_785_280_403_230_4;
-
-/// The cosines of 0, 1, 2 and 3 eighths of half a turn.
-const EIGHTHS: [f64; 4] = [1.0, 0.923_879_532_511_286_7, FRAC_1_SQRT_2, 0.382_683_432_365_089_8];
-
 /// Looks for small values of the series of two maps; it keeps its memory for the next two.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PowerSeries {
+    complex: ComplexSeries,
     /// `M^k d`.
     terms: Vec<DVec2>,
     /// How far the terms from each on reach together, at most, along eight directions.
     spans: Vec<[F64x4; 2]>,
     /// Sums and how many terms they have.
     open: Vec<(DVec2, usize)>,
+}
+
+/// What is known where the least value is at most `upper` from 0, and of one that is not `near` not much less; and
+/// rounding may be `off`.
+fn bounded(upper: f64, near: f64, off: f64, diameter: f64) -> Option<Bounded> {
+    let relative = |length: f64| length / diameter;
+    let known = Bounded {
+        sample: Sample { state: State::Touching, gap: 0.0 },
+        lower: 0.0,
+        upper: relative(upper + off),
+        diameter,
+        ..Bounded::unknown(State::Touching)
+    };
+    if upper <= near {
+        return Some(known);
+    }
+    let lower = (1.0 - BRACKET_WIDTH) * upper - off;
+    let gap = relative(f64::midpoint(lower, upper)) as f32;
+    let sample = Sample { state: State::Disconnected, gap };
+    (off < 0.01 * upper).then_some(Bounded { sample, lower: relative(lower), ..known })
 }
 
 /// A sum, the next term, and how far, squared, the sum may be from 0 when that is added or left out.
@@ -74,6 +86,11 @@ impl PowerSeries {
         if a.linear != b.linear || !usual {
             return None;
         }
+        if a.linear.y_axis == a.linear.x_axis.perp()
+            && let Some(known) = self.decide_complex(a.linear.x_axis, d.length(), epsilon, bounds)
+        {
+            return Some(known);
+        }
         // The attractor has the step between its pieces across, and more.
         let found = self.quick_look(a.linear, norm, d, epsilon * d.length());
         let touching = Sample { state: State::Touching, gap: 0.0 };
@@ -85,20 +102,36 @@ impl PowerSeries {
         let near = epsilon * diameter;
         let upper = found.or_else(|| self.least(near))?;
         let off = ROUNDING * d.length() / ((1.0 - norm) * (1.0 - norm));
-        let relative = |length: f64| length / diameter;
-        let known = Bounded {
-            lower: 0.0,
-            upper: relative(upper + off),
-            diameter,
-            ..Bounded::unknown(State::Touching)
-        };
-        if upper <= near {
-            return Some(Bounded { sample: touching, ..known });
+        bounded(upper, near, off, diameter)
+    }
+
+    /// The same for maps that are multiplied by the complex number `s`, and are `d` apart.
+    fn decide_complex(&mut self, s: DVec2, d: f64, epsilon: f64, bounds: bool) -> Option<Bounded> {
+        let series = &mut self.complex;
+        if !series.begin(s) {
+            return None;
         }
-        let lower = (1.0 - BRACKET_WIDTH) * upper - off;
-        let gap = relative(f64::midpoint(lower, upper)) as f32;
-        let sample = Sample { state: State::Disconnected, gap };
-        (off < 0.01 * upper).then_some(Bounded { sample, lower: relative(lower), ..known })
+        // Two copies of a segment, no shorter than half of it, cover it.
+        let whole = s.y == 0.0 && s.x.abs() >= 0.5;
+        let found =
+            if whole { Look::Near(0.0) } else { series.quick_look(epsilon * series.least_diameter()) };
+        let state = if whole { State::Connected } else { State::Touching };
+        let holds = Bounded { sample: Sample { state, gap: 0.0 }, ..Bounded::unknown(state) };
+        if matches!(found, Look::Near(_)) && !bounds {
+            return Some(holds);
+        }
+        let diameter = series.measure();
+        if whole {
+            return Some(Bounded { upper: 0.0, diameter: d * diameter, ..holds });
+        }
+        let near = epsilon * diameter;
+        let upper = match found {
+            Look::Near(length) => length,
+            Look::Far(least) => series.least(near, least)?,
+        };
+        let room = 1.0 - s.length();
+        let known = bounded(upper, near, ROUNDING / (room * room), diameter)?;
+        Some(Bounded { diameter: d * diameter, ..known })
     }
 
     /// The terms, down to a part `rest` of the first, and how far those from each on reach.
@@ -182,7 +215,7 @@ impl PowerSeries {
     /// The distance from 0 of the least value found, or of one not farther than `near`; `least` is that of one known.
     /// Sums that lead to none nearer than `far` of the least are left out.
     fn search(&mut self, near: f64, mut least: f64, far: impl Fn(f64) -> f64) -> Option<f64> {
-        let Self { terms, spans, open } = self;
+        let Self { terms, spans, open, .. } = self;
         open.clear();
         open.push((terms[0], 1));
         // Its square, so that no root is taken of each sum.
@@ -219,16 +252,6 @@ impl PowerSeries {
     }
 }
 
-/// The parts of a vector along eight directions, all round.
-#[inline(always)]
-fn along(v: DVec2) -> [F64x4; 2] {
-    let v = DVec2x4::splat(v);
-    let directions =
-        DVec2x4 { x: F64x4::new(EIGHTHS), y: F64x4::new([0.0, EIGHTHS[3], EIGHTHS[2], EIGHTHS[1]]) };
-    let turned = DVec2x4 { x: -directions.y, y: directions.x };
-    [directions.dot(v), turned.dot(v)]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -238,8 +261,24 @@ mod tests {
         [DVec2::X, -DVec2::X].map(|t| Affine2::new(linear, t))
     }
 
+    /// The same maps, but for what no complex number does: across the line on which the pieces of real s lie they
+    /// shrink otherwise, and where s is not real, in the last digit.
+    fn other_pair(s: DVec2) -> [Affine2; 2] {
+        pair(s).map(|mut map| {
+            map.linear.y_axis =
+                if s.y == 0.0 { DVec2::new(0.0, 0.3) } else { map.linear.y_axis * (1.0 + 1e-15) };
+            map
+        })
+    }
+
     #[test]
     fn pieces_on_a_line_are_as_near_as_is_said() {
+        for pair in [pair, other_pair] {
+            pieces_on_a_line(pair);
+        }
+    }
+
+    fn pieces_on_a_line(pair: fn(DVec2) -> [Affine2; 2]) {
         let mut series = PowerSeries::default();
         for k in 0..200 {
             let s = 0.3 + 0.0015 * f64::from(k);
@@ -253,7 +292,8 @@ mod tests {
                         assert!((0.5..0.56).contains(&s), "{s} {epsilon}");
                         continue;
                     };
-                    let touches = known.sample.state == State::Touching;
+                    let touches = known.sample.state.holds();
+                    assert_eq!(touches, gap <= known.diameter * epsilon, "{s} {epsilon} {known:?}");
                     let [lower, upper] = [known.lower, known.upper].map(|x| x * known.diameter);
                     assert!(lower <= gap && gap <= upper, "{s} {epsilon} {known:?}");
                     assert!(known.upper <= epsilon * 1.0001 || !touches && known.lower > 0.0);
@@ -264,7 +304,46 @@ mod tests {
     }
 
     #[test]
+    fn half_a_segment_twice_is_a_segment() {
+        let mut series = PowerSeries::default();
+        for s in [0.5, -0.5, 0.6, -0.9] {
+            for bounds in [false, true] {
+                let known = series.decide(&pair(DVec2::new(s, 0.0)), 1e-6, bounds).expect("an answer");
+                assert_eq!(known.sample, Sample { state: State::Connected, gap: 0.0 });
+            }
+        }
+        let less = pair(DVec2::new(0.5 - 1e-9, 0.0));
+        assert!(
+            series.decide(&less, 1e-11, false).is_none_or(|known| known.sample.state != State::Connected)
+        );
+    }
+
+    #[test]
+    fn complex_numbers_are_told_as_others_are() {
+        let (mut series, mut apart) = (PowerSeries::default(), 0);
+        for k in 0..300 {
+            let s = DVec2::from_angle(f64::from(k)) * (0.3 + 0.0013 * f64::from(k));
+            let known = [pair(s), other_pair(s)].map(|maps| series.decide(&maps, 1e-5, true));
+            let [Some(one), Some(other)] = known else { continue };
+            assert!(
+                one.lower <= other.upper * 1.001 && other.lower <= one.upper * 1.001,
+                "{one:?} {other:?}"
+            );
+            assert!((one.diameter / other.diameter - 1.0).abs() < 0.005, "{one:?} {other:?}");
+            assert_eq!(one.sample.state, other.sample.state);
+            apart += usize::from(one.sample.state == State::Disconnected);
+        }
+        assert!(apart > 150, "{apart}");
+    }
+
+    #[test]
     fn nothing_is_near_in_the_hole_and_outside() {
+        for pair in [pair, other_pair] {
+            hole_and_outside(pair);
+        }
+    }
+
+    fn hole_and_outside(pair: fn(DVec2) -> [Affine2; 2]) {
         let mut series = PowerSeries::default();
         for s in [[0.0227, 0.703], [0.3, 0.4], [0.55, 0.2]] {
             let known = series.decide(&pair(DVec2::from(s)), 1e-6, true).expect("an answer");

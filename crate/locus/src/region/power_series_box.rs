@@ -2,85 +2,78 @@
 //!
 //! The pieces of `s z - 1` and `s z + 1` are as far apart as twice the least `|f(s)|` of all power series
 //! `f = 1 + a_1 z + a_2 z^2 + ..` with coefficients -1, 0 and 1. In a disc of radius h about c, whose points are no
-//! farther than r < 1 from 0, those that begin with a polynomial p of degree n - 1 are
+//! farther than r < 1 from 0,
 //!
 //! ```text
-//! |f(s)| >= |p(c)| - h |p'(c)| - h^2 / (1 - r)^3 - r^n / (1 - r)
+//! |f(s)| >= |f(c)| - h |f'(c)| - h^2 / (1 - r)^3,
 //! ```
 //!
-//! since `|p''(s)| <= sum k (k - 1) r^(k - 2) = 2 / (1 - r)^3`. So a polynomial is split into the three that follow it
-//! until that is as much as is to be shown.
+//! since `|f''(s)| <= sum k (k - 1) r^(k - 2) = 2 / (1 - r)^3`. Of those that begin with a polynomial p of degree
+//! n - 1, `|f'(c)| <= |p'(c)| + sum k |c|^(k - 1)`, k = n, n + 1, .., and where `f(c)` lies, [`ComplexSeries`]
+//! knows. So a polynomial is split into the three that follow it until that is as much as is to be shown.
 
 use glam::DVec2;
 
-/// Polynomials looked at for one box.
-const MOST_LOOKS: usize = 400;
+use crate::gap::complex_series::{ComplexSeries, times};
+
+/// Polynomials looked at for one box: where that is not enough, its quarters take less.
+const MOST_LOOKS: usize = 100;
 /// What rounding adds, at most, where `1 / (1 - r)` is 1.
 const ROUNDING: f64 = 1e-14;
 
 /// Memory for the search; kept for the next box.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PowerSeriesBoxes {
+    series: ComplexSeries,
     open: Vec<Polynomial>,
-    /// The powers of the middle, and their derivatives.
-    powers: Vec<[DVec2; 2]>,
 }
 
-/// The value of a polynomial in the middle, its derivative there, how many coefficients it has, and how far all that
-/// follows reaches.
+/// The rest of a polynomial in the middle, its derivative there, how much both are magnified, and how many coefficients
+/// it has.
 #[derive(Clone, Copy, Debug)]
 struct Polynomial {
-    value: DVec2,
+    rest: DVec2,
     slope: DVec2,
-    count: usize,
-    rest: f64,
+    growth: f64,
+    count: f64,
 }
 
 impl PowerSeriesBoxes {
     /// Whether `|f(s)| >= least` for all series and all s within `radius` of `middle`.
     pub fn stay_away(&mut self, middle: DVec2, radius: f64, least: f64) -> bool {
-        let farthest = middle.length() + radius;
+        let Self { series, open } = self;
+        let (near, farthest) = (middle.length(), middle.length() + radius);
         // NaN is refused, too.
-        if !(farthest < 0.99 && least > 0.0) {
+        if !(farthest < 0.99 && least > 0.0 && series.begin(middle)) {
             return false;
         }
-        let shrink = 1.0 / (1.0 - farthest);
+        series.measure();
+        let (inner, shrink) = (1.0 / (1.0 - near), 1.0 / (1.0 - farthest));
         let bent = radius * radius * shrink * shrink * shrink + ROUNDING * shrink * shrink;
-        self.powers.clear();
-        self.powers.push([DVec2::X, DVec2::ZERO]);
-        self.open.clear();
-        self.open.push(Polynomial { value: DVec2::X, slope: DVec2::ZERO, count: 1, rest: farthest * shrink });
+        let back = series.back();
+        open.clear();
+        open.push(Polynomial { rest: DVec2::X, slope: DVec2::ZERO, growth: 1.0, count: 1.0 });
         for _ in 0..MOST_LOOKS {
-            let Some(Polynomial { value, slope, count, rest }) = self.open.pop() else { return true };
-            let away = value.length() - radius * slope.length() - bent;
-            if away - rest >= least {
-                continue;
-            }
+            let Some(Polynomial { rest, slope, growth, count }) = open.pop() else { return true };
             // It is a series itself.
-            if value.length() < least {
+            if rest.length() < least * growth {
                 return false;
             }
-            let [power, steep] = self.power(middle, count);
-            for sign in [-1.0, 0.0, 1.0] {
-                let (value, slope) = (value + power * sign, slope + steep * sign);
-                self.open.push(Polynomial { value, slope, count: count + 1, rest: rest * farthest });
+            let growth = growth / near;
+            let (before, coefficients) = series.step(rest);
+            let (slope, steeper) = (times(slope, back), back * count);
+            // Of all that follows.
+            let beyond = (count + 1.0 - count * near) * inner * inner;
+            for a in coefficients {
+                let (rest, slope) = (DVec2::new(before.x + a, before.y), slope + steeper * a);
+                let room = (least + bent) * growth + radius * (slope.length() + beyond);
+                if series.leads_within(rest, room) {
+                    open.push(Polynomial { rest, slope, growth, count: count + 1.0 });
+                }
             }
         }
         false
     }
-
-    fn power(&mut self, middle: DVec2, k: usize) -> [DVec2; 2] {
-        while self.powers.len() <= k {
-            let [power, steep] = self.powers[self.powers.len() - 1];
-            self.powers.push([times(middle, power), times(middle, steep) + power]);
-        }
-        self.powers[k]
-    }
-}
-
-/// The product of two complex numbers.
-fn times(a: DVec2, b: DVec2) -> DVec2 {
-    DVec2::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
 }
 
 #[cfg(test)]
