@@ -48,6 +48,11 @@ pub trait Family {
         false
     }
 
+    /// Whether all maps of each system have one linear part: then no trap holds its pieces together.
+    fn has_one_linear_part(&self) -> bool {
+        self.is_set_m()
+    }
+
     /// By how much the numbers of [`Family::fill`] may miss those of a smooth family, rounding aside.
     fn seam(&self) -> f64 {
         0.0
@@ -293,6 +298,10 @@ impl Family for Polygons {
 
     fn is_set_m(&self) -> bool {
         self.sides() == 2
+    }
+
+    fn has_one_linear_part(&self) -> bool {
+        true
     }
 }
 

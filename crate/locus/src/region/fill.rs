@@ -307,21 +307,20 @@ impl BoxFill<'_> {
     fn join(&mut self, area: Area, extent: Extent, open: usize) -> bool {
         // Where too much was spent in vain, nothing is set up for crossings either.
         let worth = open >= LEAST_OPEN_TO_CROSS && self.debt <= MOST_DEBT;
-        let (m, [nearest, farthest]) = (self.family.is_set_m(), extent.distances());
-        // The areas of two maps may fill the plane in a box of any size.
-        let filled = m && nearest * nearest > 0.5 + 1e-9 && farthest < 1.0 - 1e-9;
-        if !filled {
-            if !worth && (m || self.family.len() > 2)
-                || !self.descent.lanes.set(self.family, extent, &mut self.scratch.frame)
-            {
-                return false;
-            }
-            if !(self.descent.lanes.areas_fill() || worth && self.crosses()) {
-                return false;
-            }
+        let proved = if self.family.is_set_m() {
+            // The areas of two maps may fill the plane in a box of any size.
+            let [nearest, farthest] = extent.distances();
+            nearest * nearest > 0.5 + 1e-9 && farthest < 1.0 - 1e-9
+        } else {
+            !self.family.has_one_linear_part()
+                && (worth || self.family.len() <= 2)
+                && self.descent.lanes.set(self.family, extent, &mut self.scratch.frame)
+                && (self.descent.lanes.areas_fill() || worth && self.crosses())
+        };
+        if proved {
+            self.cover(area, State::Connected, |_, _| 0.0);
         }
-        self.cover(area, State::Connected, |_, _| 0.0);
-        true
+        proved
     }
 
     /// Whether pieces cross throughout the box that the lanes are set for.
