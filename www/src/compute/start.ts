@@ -2,7 +2,7 @@
 import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { scheduleCertify } from "./certify";
-import type { CardChoice } from "./locus/card-trial";
+import type { CardChoice } from "./locus/card/trial";
 import { scheduleLocus } from "./locus/schedule";
 import { scheduleMatching } from "./matching";
 import { schedulePlan } from "./plan";

@@ -1,5 +1,5 @@
 /** What the address may say before the `#`. */
-import type { CardChoice } from "#compute/locus/card-trial";
+import type { CardChoice } from "#compute/locus/card/trial";
 import type { PainterBackend } from "#stage/surface/painter";
 
 export type Plays = "on" | "once" | "still";

@@ -1,6 +1,6 @@
 /** The locus on the graphics card, where there is one that is faster than the workers. */
 import { createLocusCompute, type LocusCompute, timeLocus } from "../../pkg/renderer.js";
-import type { Locus, LocusOptions, MapRow } from "./api";
+import type { FamilyOptions, Locus, LocusOptions, MapRow } from "./api";
 import { toError } from "./error";
 import { lacksWebGpu } from "./webgpu";
 
@@ -12,18 +12,14 @@ export interface Ends {
   options: LocusOptions;
 }
 
+/** Maps over a plane of parameters: of a morph, or of a family of polygons. */
+export type Plane = Ends | { sides: number; options: FamilyOptions };
+
+/** What a card says. Samples that single precision cannot tell are undecided. */
+export type ByCard = Locus & { milliseconds: number };
+
 /** Decides a whole locus on the processor, for the comparison. */
 type OnProcessor = (ends: Ends) => Promise<unknown>;
-
-let card: LocusCompute | null = null;
-let busy = false;
-
-export const hasCard = (): boolean => card !== null;
-
-/** From here on loci are decided by this card. */
-export function adoptCard(found: LocusCompute): void {
-  card = found;
-}
 
 /** A card, if there is one. `software` takes one that the processor stands in for: for trying this without a card. */
 export async function openCard(software: boolean): Promise<LocusCompute | null> {
@@ -42,24 +38,53 @@ export async function isFaster(found: LocusCompute, processor: OnProcessor): Pro
   }
 }
 
-/**
- * A whole locus; samples that single precision cannot tell have state 3. Null where the card has no answer: none is
- * there, it is still at work, or the locus is not for it.
- */
-export async function locusByCard({ from, to, options }: Ends): Promise<Locus | null> {
-  const mine = card;
-  if (!mine || busy) return null;
-  busy = true;
-  try {
-    return await mine.run({ maps: from }, { maps: to }, options);
-  } catch (problem) {
-    // Too many maps or too fine is the workers' to do; after anything else the card is not asked again.
-    if (!toError(problem).code.startsWith("single-") && card === mine) {
-      card = null;
-      mine.free();
+/** Fewer samples tell little of how fast a card is. */
+const LEAST_SAMPLES = 10_000;
+/** How much slower a card is taken to be after each answer that was slower: it has more to do than this. */
+const SLOWER = 1.5;
+
+/** One card for all who ask, one after the other. */
+export class CardQueue {
+  /** About how many milliseconds a sample takes, when the card has nothing else to do. */
+  pace = 1e-3;
+  readonly #lost: () => void;
+  #card: LocusCompute | null;
+  #turn: Promise<unknown> = Promise.resolve();
+
+  /** `lost` is told when the card has failed, and is not asked again. */
+  constructor(card: LocusCompute, lost: () => void) {
+    this.#card = card;
+    this.#lost = lost;
+  }
+
+  /**
+   * The samples of a plane; null where the card has no answer: the plane is not for it, it has failed, or they are no
+   * longer `wanted` when it would begin.
+   */
+  ask(plane: Plane, wanted: () => boolean): Promise<ByCard | null> {
+    const answer = this.#turn.then(() => (wanted() ? this.#run(plane) : null));
+    this.#turn = answer;
+    return answer;
+  }
+
+  async #run(plane: Plane): Promise<ByCard | null> {
+    const card = this.#card;
+    if (!card) return null;
+    try {
+      const found = await ("sides" in plane
+        ? card.runFamily({ sides: plane.sides }, plane.options)
+        : card.run({ maps: plane.from }, { maps: plane.to }, plane.options));
+      const samples = found.width * found.height;
+      if (samples >= LEAST_SAMPLES) this.pace = Math.min(SLOWER * this.pace, found.milliseconds / samples);
+      return found;
+    } catch (problem) {
+      // Too many maps or too fine is the workers' to do; after anything else the card is not asked again.
+      if (!toError(problem).code.startsWith("single-")) {
+        this.#card = null;
+        card.free();
+        this.#lost();
+      }
+      return null;
     }
-    return null;
-  } finally {
-    busy = false;
   }
 }

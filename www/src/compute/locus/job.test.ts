@@ -92,6 +92,21 @@ describe("LocusWork", () => {
     expect(work.raw.state[126 * SIZE + 127]).toBe(STATE.touching);
   });
 
+  it("asks for no coarse picture of what is known but for a few samples", () => {
+    const watch = { painted: vi.fn(), stage: vi.fn(), failed: vi.fn() };
+    const work = new LocusWork(inputs, watch, () => 1e9, { patches: true, priorities: () => [50, 15] });
+    const state = new Uint8Array(SIZE * SIZE).fill(STATE.touching);
+    state[100 * SIZE + 100] = STATE.undecided;
+    work.acceptWhole({ state, gap: new Float32Array(SIZE * SIZE) });
+    const job = work.job();
+    const task = job.next();
+    if (task?.kind !== "patch") throw new Error("a rectangle");
+    expect(task.x1 - task.x0).toBeLessThan(40);
+    expect(job.next()).toBeNull();
+    job.accept(task, answer(task), 1);
+    expect(work.progress).toBe(1);
+  });
+
   it.each([0.01, 10, 1000])("asks for every sample exactly once when a slice takes %d ms", (milliseconds) => {
     const { work, count, stage } = run(milliseconds);
     expect(count).toBe(SIZE * SIZE);

@@ -190,7 +190,10 @@ export class LocusWork {
           this.#take(r, c, s, gap[k] ?? Number.NaN);
       }
     }
-    const open = this.#patches.filter((patch) => this.#isOpen(patch));
+    // There is nothing left for a coarse picture to tell, and what is open is mostly in few places.
+    this.#coarsePatches = [];
+    if (this.#means.patches) this.#stage = Math.max(1, this.#stage);
+    const open = patchesOf(SIZE, COARSE_PATCH).filter((patch) => this.#isOpen(patch));
     this.#patches.splice(0, this.#patches.length, ...open);
     this.#tell();
   }

@@ -36,7 +36,7 @@ interface Tile extends TileId {
   tried: Set<number>;
 }
 
-interface Samples {
+export interface Samples {
   width: number;
   state: Uint8Array;
   gap: Float32Array;

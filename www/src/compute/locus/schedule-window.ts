@@ -6,6 +6,7 @@ import type { FrondError, LocusView } from "#wasm/api";
 import { cancel, epoch, submit, workers } from "#workers/pool/engine";
 import { inputs as morph } from "../inputs";
 import { publish } from "../results";
+import { locusCard } from "./card/card";
 import { detail } from "./detail";
 import type { LocusInputs } from "./job";
 import { type LocusSource, Pyramid } from "./pyramid";
@@ -42,6 +43,8 @@ export const homeIsSeen: ReadonlySignal<boolean> = computed(
 let pyramid: Pyramid | null = null;
 let work: WindowWork | null = null;
 let live = false;
+/** What the workers are at. */
+let begun: WindowWork | null = null;
 let failed = false;
 let waiting: ReturnType<typeof setTimeout> | null = null;
 let resting: ReturnType<typeof setTimeout> | undefined;
@@ -118,17 +121,21 @@ function look(view: LocusView): void {
   cancel("window-proofs");
   if (work.want(clampedView(view), detail.peek()) && !live) {
     live = true;
-    const job = work.job();
     const mine = work;
-    submit({
-      ...job,
-      done: () => {
-        if (mine !== work) return;
-        live = false;
-        paint();
-        look(locusView.peek());
-      },
-    });
+    const done = () => {
+      begun = null;
+      if (mine !== work) return;
+      live = false;
+      paint();
+      look(locusView.peek());
+    };
+    const begin = () => {
+      if (mine !== work || mine === begun) return;
+      begun = mine;
+      submit({ ...mine.job(), done });
+    };
+    if (locusCard.found) locusCard.found.tiles(mine, () => mine === work, begin);
+    else begin();
   }
   if (work.seen) pyramid?.forget();
   if (!live && !homeIsSeen.peek()) resting = setTimeout(() => prove(view), REST_MS);

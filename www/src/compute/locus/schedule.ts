@@ -1,13 +1,13 @@
 /** When the locus of the whole plane is computed, by workers or by the graphics card. */
 import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
-import { hasCard, locusByCard } from "#wasm/locus-card";
 import { cancel, epoch, sliceMilliseconds, submit, workers } from "#workers/pool/engine";
 import { inputs as morph } from "../inputs";
 import { planFrom } from "../plan";
 import { publish } from "../results";
-import type { CardChoice } from "./card-trial";
-import { BOUNDS, COARSE_SIZE, EPSILON, type LocusInputs, LocusWork, SIZE, STRIDES } from "./job";
+import { locusCard } from "./card/card";
+import type { CardChoice } from "./card/trial";
+import { BOUNDS, COARSE_SIZE, type LocusInputs, LocusWork, STRIDES } from "./job";
 import { homeIsSeen, scheduleWindow } from "./schedule-window";
 import { Soon } from "./soon";
 
@@ -24,8 +24,12 @@ const PATIENCE_MS = 250;
 /** After so long at rest what only seems to hold is proved, and that is painted once in so long. */
 const REST_MS = 400;
 const PROOFS_MS = 250;
+/** The first proofs wait for the comparison of the card with the workers, but no longer than this. */
+const TRIAL_MS = 4000;
 
 let work: LocusWork | null = null;
+/** The workers have not begun, as the card is at it. */
+let asking = false;
 let resting: ReturnType<typeof setTimeout> | undefined;
 let choice: CardChoice = "none";
 let waiting: ReturnType<typeof setTimeout> | null = null;
@@ -53,7 +57,7 @@ function request(inputs: LocusInputs): void {
   const shown = publish.locus.peek();
   if (shown) publish.locus.value = { ...shown, progress: 0 };
   const age = work ? performance.now() - work.started : GRACE_MS;
-  if (work && !work.coarse && work.progress > 0 && age < GRACE_MS) {
+  if (work && !work.coarse && (asking || work.progress > 0) && age < GRACE_MS) {
     waiting = setTimeout(() => start(inputs), GRACE_MS - age);
   } else start(inputs);
 }
@@ -103,18 +107,17 @@ function start(inputs: LocusInputs): void {
     sliceMilliseconds,
     { patches: true, priorities, first, ...(work && { pace: work.pace }) },
   );
-  submit(work.job());
-  if (hasCard()) askCard(work);
-}
-
-/** The card decides all samples at once; what it leaves open, and what comes before it is done, the workers do. */
-async function askCard(asked: LocusWork): Promise<void> {
-  const { from, to, options } = asked.inputs;
-  const sampling = { bounds: BOUNDS, width: SIZE, height: SIZE, epsilon: EPSILON };
-  const whole = await locusByCard({ from, to, options: { ...options, ...sampling } });
-  if (asked === work) {
-    if (whole) asked.acceptWhole(whole);
-  } else if (whole && work && hasCard() && !work.coarse) askCard(work);
+  const mine = work;
+  asking = true;
+  const begin = () => {
+    if (mine !== work || !asking) return;
+    asking = false;
+    submit(mine.job());
+  };
+  if (locusCard.found) {
+    cancel("locus");
+    locusCard.found.whole(mine, () => mine === work, begin);
+  } else begin();
 }
 
 /** Proves what only seems to hold, when the hand has been at rest for a while. */
@@ -122,6 +125,7 @@ function rest(whole: LocusWork): void {
   clearTimeout(resting);
   resting = setTimeout(async () => {
     const { LocusProofs } = await import("./proofs");
+    await trial;
     // Without workers the page would have to do it, while it is used.
     if (whole !== work || whole.inputs !== morph.peek() || workers.peek().count === 0) return;
     let painted = performance.now();
@@ -134,16 +138,14 @@ function rest(whole: LocusWork): void {
   }, REST_MS);
 }
 
-let considered = false;
+let trial: Promise<unknown> | null = null;
 
 function considerCard(): void {
-  if (considered) return;
-  considered = true;
   // Fetched when nothing waits for it. Where it cannot be had, all goes on without a card.
-  import("./card-trial").then(
-    ({ lookForCard }) => lookForCard(choice),
-    () => undefined,
-  );
+  trial ??= Promise.race([
+    import("./card/trial").then(({ lookForCard }) => lookForCard(choice)).catch(() => undefined),
+    new Promise((resolve) => setTimeout(resolve, TRIAL_MS)),
+  ]);
 }
 
 function paint(): void {

@@ -5,7 +5,7 @@ import { atResolution, STATE } from "#geometry/states";
 import type { Bounds, FrondError, LocusView } from "#wasm/api";
 import type { Job, Result, Task } from "#workers/pool/protocol";
 import { nextKey } from "./job";
-import { type Pyramid, STEP, type TileId, WHOLE_LEVELS } from "./pyramid";
+import { type Pyramid, type Samples, type Span, STEP, TILE, type TileId, WHOLE_LEVELS } from "./pyramid";
 import { epsilonOf, homeOf, samplesAt, windowOf } from "./window";
 
 interface WindowWatch {
@@ -27,6 +27,8 @@ interface Slice {
 
 /** Rows of a tile in a slice, where whole boxes cannot be decided at once. */
 const ROWS = 16;
+
+const NONE = { done: 0, state: new Uint8Array(0), gap: new Float32Array(0) };
 
 export class WindowWork {
   readonly pyramid: Pyramid;
@@ -80,6 +82,40 @@ export class WindowWork {
     return this.#under.get(name(id, "fine"))?.rows ?? 0;
   }
 
+  /** Tiles that are wanted and not begun, the middle first. */
+  get open(): TileId[] {
+    return this.#fine.filter((id) => this.#begun(id) === 0);
+  }
+
+  /** Somebody else than the workers has taken them. */
+  hold(ids: readonly TileId[]): void {
+    const others = (id: TileId) => !ids.includes(id);
+    this.#coarse = this.#coarse.filter(others);
+    this.#fine = this.#fine.filter(others);
+    for (const id of ids) this.#under.set(name(id, "fine"), { ...NONE, rows: TILE });
+  }
+
+  /** They are the workers' again. */
+  release(ids: readonly TileId[]): void {
+    for (const id of ids) this.#under.delete(name(id, "fine"));
+    this.#fine.push(...ids);
+  }
+
+  /** The samples of tiles that were held. */
+  put(tiles: readonly { id: TileId; samples: Samples }[]): void {
+    for (const { id, samples } of tiles) {
+      this.#under.delete(name(id, "fine"));
+      this.pyramid.put(id, "fine", samples);
+    }
+    this.#tell();
+  }
+
+  /** Samples of a level as a plane of their own. */
+  planeOf(level: number, span: Span): Task<"patch">["of"] {
+    const [width, height] = [span.x1 - span.x0 + 1, span.y1 - span.y0 + 1];
+    return this.#of(this.pyramid.boundsOf(level, span), width, height, level);
+  }
+
   job(): Job<Kinds> {
     return {
       channel: "window",
@@ -131,8 +167,7 @@ export class WindowWork {
     const { x0, y0, width, height } = this.pyramid.place(id);
     if (id.level <= WHOLE_LEVELS) return { ...this.#patchOfWhole(id), x0, y0 };
     const span = { x0, y0, x1: x0 + width - 1, y1: y0 + height - 1 };
-    const of = this.#of(this.pyramid.boundsOf(id.level, span), width, height, id.level);
-    return { key: nextKey(), of, x0: 0, y0: 0 };
+    return { key: nextKey(), of: this.planeOf(id.level, span), x0: 0, y0: 0 };
   }
 
   /**
@@ -179,21 +214,18 @@ export class WindowWork {
     const place = this.pyramid.place(id);
     const width = what === "fine" ? place.width : Math.ceil(place.width / STEP);
     const height = what === "fine" ? place.height : Math.ceil(place.height / STEP);
-    const epsilon = epsilonOf(id.level);
     const first = rows[0] * width;
-    const part = (rows[1] - rows[0]) * width;
-    const proved = provedIn(task);
-    for (let k = 0; k < part; k++) {
-      const g = gap[k] ?? Number.NaN;
-      const found = atResolution(state[k] ?? STATE.undecided, g, epsilon);
-      const open = found === STATE.touching || found === STATE.undecided;
-      under.state[first + k] = open && proved(k) ? STATE.connected : found;
-      under.gap[first + k] = g;
-    }
+    const part = { state: under.state.subarray(first), gap: under.gap.subarray(first) };
+    const proved = task.kind === "patch" ? provedIn(task) : () => false;
+    judge({ state, gap }, part, epsilonOf(id.level), proved);
     under.done += rows[1] - rows[0];
     if (under.done < height) return;
     this.#under.delete(name(id, what));
     this.pyramid.put(id, what, { width, state: under.state, gap: under.gap });
+    this.#tell();
+  }
+
+  #tell(): void {
     if (this.#coarseLeft > 0 && this.#view) {
       const { coarse } = this.pyramid.missing(windowOf(this.#view), this.#view.zoom);
       this.#coarseLeft = coarse.length;
@@ -203,10 +235,30 @@ export class WindowWork {
   }
 }
 
+/** Writes what is said of samples at an epsilon, where some are `proved` in one piece whatever a search says. */
+export function judge(
+  found: Result<"patch">,
+  { state, gap }: Result<"patch">,
+  epsilon: number,
+  proved: (k: number) => boolean,
+): void {
+  for (let k = 0; k < found.state.length; k++) {
+    const g = found.gap[k] ?? Number.NaN;
+    const said = atResolution(found.state[k] ?? STATE.undecided, g, epsilon);
+    const open = said === STATE.touching || said === STATE.undecided;
+    state[k] = open && proved(k) ? STATE.connected : said;
+    gap[k] = g;
+  }
+}
+
 /** Which samples of a tile of a family are in one piece whatever a search says. */
-function provedIn(task: Task<Kinds>): (k: number) => boolean {
-  if (task.kind !== "patch" || !("sides" in task.of)) return () => false;
-  const { x0, y0, x1, of } = task;
+export function provedIn({
+  x0,
+  y0,
+  x1,
+  of,
+}: Pick<Task<"patch">, "x0" | "y0" | "x1" | "of">): (k: number) => boolean {
+  if (!("sides" in of)) return () => false;
   const { bounds, width, height } = of.options;
   const at = (low: number, high: number, k: number, count: number) => low + ((high - low) * k) / (count - 1);
   return (k) => {

@@ -2,16 +2,20 @@
 import { effect } from "@preact/signals";
 import { playing } from "#document/playback";
 import { inGesture } from "#document/scene";
-import { adoptCard, type Ends, isFaster, type LocusCompute, openCard } from "#wasm/locus-card";
+import { CardQueue, type Ends, isFaster, type LocusCompute, openCard } from "#wasm/locus-card";
 import { submit, workers } from "#workers/pool/engine";
 import type { Task } from "#workers/pool/protocol";
-import { nextKey } from "./job";
+import { type LocusWork, nextKey } from "../job";
+import { locusCard } from "./card";
+import { tilesByCard } from "./tiles";
 
 /** Which card decides loci: one that is faster, one on the processor too and untimed, or none. For trying the page. */
 export type CardChoice = "auto" | "software" | "none";
 
 /** The page has nothing to do for so long before it looks, and it looks between two frames. */
-const REST_MS = 2000;
+const REST_MS = 600;
+/** Milliseconds that the workers leave to the card before they begin with the same. */
+const PATIENCE_MS = 100;
 /** A comparison that something else came into says nothing; one that always does is given up. */
 const TRIES = 3;
 
@@ -23,8 +27,33 @@ export async function lookForCard(choice: CardChoice): Promise<void> {
   await rest();
   const found = await openCard(choice === "software");
   if (!found) return;
-  if (choice === "software" || (await proves(found))) adoptCard(found);
+  if (choice === "software" || (await proves(found))) adopt(found);
   else found.free();
+}
+
+/** From here on loci are decided by this card, until it fails. */
+function adopt(found: LocusCompute): void {
+  const queue = new CardQueue(found, () => {
+    locusCard.found = null;
+  });
+  locusCard.found = {
+    whole: (work, wanted, begin) => beforeWorkers(wholeByCard(queue, work, wanted), begin),
+    tiles: (work, wanted, begin) => beforeWorkers(tilesByCard(queue, work, wanted), begin),
+  };
+}
+
+/** The workers begin when the card is done, or is late. */
+async function beforeWorkers(byCard: Promise<void>, begin: () => void): Promise<void> {
+  const late = setTimeout(begin, PATIENCE_MS);
+  await byCard;
+  clearTimeout(late);
+  begin();
+}
+
+/** All samples at once. */
+async function wholeByCard(queue: CardQueue, work: LocusWork, wanted: () => boolean): Promise<void> {
+  const found = await queue.ask(work.whole(), wanted);
+  if (found && wanted()) work.acceptWhole(found);
 }
 
 async function proves(found: LocusCompute): Promise<boolean> {
