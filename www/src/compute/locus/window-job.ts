@@ -95,19 +95,21 @@ export class WindowWork {
     for (const id of ids) this.#under.set(name(id, "fine"), { ...NONE, rows: TILE });
   }
 
-  /** They are the workers' again. */
+  /** Those that are held are the workers' again. */
   release(ids: readonly TileId[]): void {
-    for (const id of ids) this.#under.delete(name(id, "fine"));
-    this.#fine.push(...ids);
+    const held = ids.filter((id) => this.#under.get(name(id, "fine"))?.state === NONE.state);
+    for (const id of held) this.#under.delete(name(id, "fine"));
+    this.#fine.push(...held);
   }
 
-  /** The samples of tiles that were held. */
+  /** The samples of tiles that were held; what a worker may say of them still is not heard. */
   put(tiles: readonly { id: TileId; samples: Samples }[]): void {
     for (const { id, samples } of tiles) {
       this.#under.delete(name(id, "fine"));
       this.pyramid.put(id, "fine", samples);
     }
     this.#tell();
+    if (this.#view) this.want(this.#view, this.#detail);
   }
 
   /** Samples of a level as a plane of their own. */

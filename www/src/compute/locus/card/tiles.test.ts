@@ -6,7 +6,7 @@ import type { Task } from "#workers/pool/protocol";
 import { Pyramid, TILE } from "../pyramid";
 import { windowOf } from "../window";
 import { WindowWork } from "../window-job";
-import { tilesByCard } from "./tiles";
+import { PATIENCE_MS, tilesByCard } from "./tiles";
 
 const at: LocusView = { family: "morph", sides: 2, x: 0.5, y: 0.5, zoom: 4, w: 0 };
 const always = () => true;
@@ -101,6 +101,40 @@ describe("tilesByCard", () => {
     await tilesByCard({ ask, pace: 1e-4 }, work, always);
     expect(ask).toHaveBeenCalledOnce();
     expect(work.open).toHaveLength(before);
+  });
+
+  it("is not waited for where it takes long: who is first is heard", async () => {
+    vi.useFakeTimers();
+    const { pyramid, work } = open();
+    let answered = (_: ByCard | null) => {};
+    let asked: Plane | null = null;
+    const ask = (of: Plane) => {
+      asked = of;
+      return new Promise<ByCard | null>((resolve) => {
+        answered = resolve;
+      });
+    };
+    const ended = tilesByCard({ ask, pace: 1e-4 }, work, always);
+    expect(work.open).toHaveLength(0);
+    vi.advanceTimersByTime(PATIENCE_MS + 1);
+    vi.useRealTimers();
+    const all = work.open.length;
+    expect(all).toBeGreaterThan(20);
+    const job = work.job();
+    const [first, second] = [job.next(), job.next()];
+    if (first?.kind !== "patch" || second?.kind !== "patch") throw new Error("two tiles");
+    const by = (task: Task<"patch">, state: number) => {
+      const count = (task.x1 - task.x0) * (task.y1 - task.y0);
+      return { state: new Uint8Array(count).fill(state), gap: new Float32Array(count) };
+    };
+    job.accept(first, by(first, STATE.disconnected), 1);
+    expect(work.progress).toBeCloseTo(1 / all, 9);
+    if (asked) answered(answer(asked, () => STATE.touching));
+    await ended;
+    expect(work.progress).toBe(1);
+    expect(job.next()).toBeNull();
+    job.accept(second, by(second, STATE.disconnected), 1);
+    expect(pyramid.read(windowOf(at), at.zoom).state.includes(STATE.disconnected)).toBe(false);
   });
 
   it.each([

@@ -16,6 +16,8 @@ interface Block {
   of: Plane;
 }
 
+/** Milliseconds that the workers leave to the card before they begin with the same. */
+export const PATIENCE_MS = 100;
 /** A block takes about so long, so that a slow card shows one after the other. */
 const BLOCK_MS = 60;
 /** Samples of a block: a card answers no sooner where there are fewer. */
@@ -34,7 +36,10 @@ export async function tilesByCard(card: Card, work: WindowWork, wanted: () => bo
   for (;;) {
     const block = wanted() ? take(work, left, card.pace) : null;
     if (!block) return;
+    // What takes long is the workers' as well: who is first is heard.
+    const late = setTimeout(() => work.release(block.ids), PATIENCE_MS);
     const found = await card.ask(block.of, wanted);
+    clearTimeout(late);
     if (!found) {
       work.release(block.ids);
       return;

@@ -7,15 +7,13 @@ import { submit, workers } from "#workers/pool/engine";
 import type { Task } from "#workers/pool/protocol";
 import { type LocusWork, nextKey } from "../job";
 import { locusCard } from "./card";
-import { tilesByCard } from "./tiles";
+import { PATIENCE_MS, tilesByCard } from "./tiles";
 
 /** Which card decides loci: one that is faster, one on the processor too and untimed, or none. For trying the page. */
 export type CardChoice = "auto" | "software" | "none";
 
 /** The page has nothing to do for so long before it looks, and it looks between two frames. */
 const REST_MS = 600;
-/** Milliseconds that the workers leave to the card before they begin with the same. */
-const PATIENCE_MS = 100;
 /** A comparison that something else came into says nothing; one that always does is given up. */
 const TRIES = 3;
 
