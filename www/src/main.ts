@@ -4,7 +4,6 @@ import "./style/layout.css";
 import "./style/stage.css";
 import "./style/print.css";
 import { h, render } from "preact";
-import { startSchedules } from "./compute/start";
 import { notify, wordsOf } from "./document/notice";
 import { link } from "./shell/actions";
 import { App, fetchAhead } from "./shell/app";
@@ -28,6 +27,8 @@ async function begin(root: HTMLElement): Promise<void> {
   // Under way while the first picture is drawn, which does without it. What goes wrong is told where it is waited for.
   const proof = compileProof();
   proof.catch(() => {});
+  const schedules = import("./compute/start");
+  schedules.catch(() => {});
   fetchPool().catch(() => {});
   link.open();
   link.watch();
@@ -53,7 +54,7 @@ async function begin(root: HTMLElement): Promise<void> {
     },
   );
   adoptPath();
-  startSchedules({ card: parameters.card });
+  (await schedules).startSchedules({ card: parameters.card });
   watchAutomaticPath();
   fetchAhead();
   import("./shell/later").then(
