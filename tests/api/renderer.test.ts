@@ -79,6 +79,7 @@ describe("which of the two decides a locus", () => {
     { isFallbackAdapter: true },
   ])("is not even loaded on a processor that stands in for a card: %o", async (adapter) => {
     pretend(adapter);
+    expect(await renderer.hasGraphicsCard()).toBe(false);
     expect(await createLocusCompute()).toBeUndefined();
     expect(open).not.toHaveBeenCalled();
     expect(await createLocusCompute({ software: true })).toBe(opened);
@@ -86,6 +87,7 @@ describe("which of the two decides a locus", () => {
 
   it("is opened on a card", async () => {
     pretend({ info: { vendor: "nvidia", architecture: "hopper", isFallbackAdapter: false } });
+    expect(await renderer.hasGraphicsCard()).toBe(true);
     expect(await createLocusCompute()).toBe(opened);
   });
 
@@ -104,7 +106,7 @@ describe("a browser that has no adapter, and warns when it is asked", () => {
     expect(await createLocusCompute()).toBeUndefined();
     expect(await createLocusCompute({ software: true })).toBeUndefined();
     expect(await createRenderer(canvas)).toBe("a picture");
-    expect(await hasWebGpu()).toBe(false);
+    expect([await hasWebGpu(), await renderer.hasGraphicsCard()]).toEqual([false, false]);
     expect(request).toHaveBeenCalledTimes(1);
   });
 

@@ -17,6 +17,9 @@ export interface RendererOptions {
  */
 export function hasWebGpu(): Promise<boolean>;
 
+/** Whether WebGPU is a graphics card's, as far as the browser tells: not where the processor stands in for one. */
+export function hasGraphicsCard(): Promise<boolean>;
+
 /**
  * A live picture on a canvas that has had no context yet. Rejects with a FrondError where there is no graphics card.
  */

@@ -45,6 +45,11 @@ function isSoftware(adapter) {
   return fallback || /swiftshader|llvmpipe|lavapipe|software|basic render|\bwarp\b/i.test(names);
 }
 
+export async function hasGraphicsCard() {
+  const found = await adapter();
+  return found !== undefined && !isSoftware(found);
+}
+
 async function create(name, canvas, options) {
   const { backend: wanted = "auto" } = options;
   if (wanted === "webgpu" || (wanted === "auto" && (await adapter()))) {
@@ -62,9 +67,8 @@ export const createRenderer = (canvas, options = {}) => create("Renderer", canva
 export const createSpaceRenderer = (canvas, options = {}) => create("SpaceRenderer", canvas, options);
 
 export async function createLocusCompute({ software = false } = {}) {
-  const found = await adapter();
   // Before anything is loaded or opened: a device on the processor would take time from the page.
-  if (!found || (!software && isSoftware(found))) return undefined;
+  if (!(await (software ? hasWebGpu() : hasGraphicsCard()))) return undefined;
   let compute;
   try {
     compute = await (await load("webgpu")).LocusCompute.create();

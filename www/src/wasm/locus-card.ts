@@ -1,5 +1,5 @@
 /** The locus on the graphics card, where there is one that is faster than the workers. */
-import { createLocusCompute, type LocusCompute, timeLocus } from "../../pkg/renderer.js";
+import { createLocusCompute, hasGraphicsCard, type LocusCompute, timeLocus } from "../../pkg/renderer.js";
 import type { FamilyOptions, Locus, LocusOptions, MapRow } from "./api";
 import { toError } from "./error";
 import { lacksWebGpu } from "./webgpu";
@@ -21,9 +21,13 @@ export type ByCard = Locus & { milliseconds: number };
 /** Decides a whole locus on the processor, for the comparison. */
 type OnProcessor = (ends: Ends) => Promise<unknown>;
 
+/** Whether it is worth while to open a card, which is known at once. */
+export const mayHaveCard = async (software: boolean): Promise<boolean> =>
+  !(await lacksWebGpu()) && (software || (await hasGraphicsCard()));
+
 /** A card, if there is one. `software` takes one that the processor stands in for: for trying this without a card. */
 export async function openCard(software: boolean): Promise<LocusCompute | null> {
-  return (await lacksWebGpu()) ? null : ((await createLocusCompute({ software })) ?? null);
+  return (await createLocusCompute({ software })) ?? null;
 }
 
 /** Times a card against the processor. */

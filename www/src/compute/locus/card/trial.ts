@@ -2,7 +2,7 @@
 import { effect } from "@preact/signals";
 import { playing } from "#document/playback";
 import { inGesture } from "#document/scene";
-import { CardQueue, type Ends, isFaster, type LocusCompute, openCard } from "#wasm/locus-card";
+import { CardQueue, type Ends, isFaster, type LocusCompute, mayHaveCard, openCard } from "#wasm/locus-card";
 import { submit, workers } from "#workers/pool/engine";
 import type { Task } from "#workers/pool/protocol";
 import { type LocusWork, nextKey } from "../job";
@@ -21,7 +21,7 @@ const atRest = () => !playing.value && !inGesture.value && !workers.value.busy &
 
 /** Once; called when the first locus is whole, which does not wait for a card. */
 export async function lookForCard(choice: CardChoice): Promise<void> {
-  if (choice === "none") return;
+  if (choice === "none" || !(await mayHaveCard(choice === "software"))) return;
   await rest();
   const found = await openCard(choice === "software");
   if (!found) return;
