@@ -9,6 +9,9 @@ use std::process::{Command, ExitStatus, Stdio};
 /// What every task returns; the error is a sentence for the person at the terminal.
 pub type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 
+/// How a command is run: [`run`], [`run_beside`] or [`run_behind`].
+pub type Run = fn(&mut Command) -> Outcome;
+
 /// The root of the repository.
 pub fn root() -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -87,6 +90,25 @@ pub fn run_beside(command: &mut Command) -> Outcome {
     ended(command, output.status)
 }
 
+/// As [`run_beside`], for what is to leave the machine to all else: where the system has `nice`, by that.
+pub fn run_behind(command: &mut Command) -> Outcome {
+    if ask(Command::new("nice").args(["-n", "19", "true"])).is_none() {
+        return run_beside(command);
+    }
+    let mut nice = Command::new("nice");
+    nice.args(["-n", "19"]).arg(command.get_program()).args(command.get_args());
+    if let Some(folder) = command.get_current_dir() {
+        nice.current_dir(folder);
+    }
+    for (name, value) in command.get_envs() {
+        match value {
+            Some(value) => nice.env(name, value),
+            None => nice.env_remove(name),
+        };
+    }
+    run_beside(&mut nice)
+}
+
 /// What it prints, or nothing where it cannot be run: for asking whether a tool is there.
 pub fn ask(command: &mut Command) -> Option<String> {
     let output = command.stderr(Stdio::null()).stdin(Stdio::null()).output().ok()?;
@@ -115,4 +137,23 @@ fn ended(command: &Command, status: ExitStatus) -> Outcome {
 
 fn not_started(command: &Command, error: &std::io::Error) -> String {
     format!("`{}` could not be started: {error}", command.get_program().to_string_lossy())
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_runs_behind_is_the_same_command_and_fails_as_it_does() {
+        let mut script = command("sh");
+        script.args([
+            "-c",
+            "test \"$FROND_WORD\" = said && test -z \"$HOME\" && pwd | grep -qx \"$1\"",
+            "sh",
+            "/",
+        ]);
+        script.env("FROND_WORD", "said").env_remove("HOME").current_dir("/");
+        assert!(run_behind(&mut script).is_ok());
+        assert!(run_behind(script.env("FROND_WORD", "unsaid")).is_err());
+    }
 }

@@ -6,11 +6,17 @@ use std::time::{Duration, Instant};
 use crate::command::Outcome;
 
 /// The steps of one command, in the order in which they ran.
-#[derive(Default)]
 pub struct Steps {
+    began: Instant,
     done: Vec<Step>,
     left: Vec<String>,
     again: Option<String>,
+}
+
+impl Default for Steps {
+    fn default() -> Self {
+        Self { began: Instant::now(), done: Vec::new(), left: Vec::new(), again: None }
+    }
 }
 
 struct Step {
@@ -63,6 +69,13 @@ impl Steps {
         self.left.push(name);
     }
 
+    /// Takes in the steps of a thread beside this one. Of two failures it tells the other's last.
+    pub fn add(&mut self, other: Self) {
+        self.done.extend(other.done);
+        self.left.extend(other.left);
+        self.again = other.again.or(self.again.take());
+    }
+
     /// Whether any step ran.
     pub fn any(&self) -> bool {
         !self.done.is_empty()
@@ -73,15 +86,16 @@ impl Steps {
         println!("\n{}", self.table());
     }
 
-    fn table(&self) -> String {
+    /// What [`Steps::summary`] prints.
+    pub fn table(&self) -> String {
         let mut lines = Vec::new();
         for step in &self.done {
             let mark = if step.passed { "ok" } else { "FAILED" };
             lines.push(format!("{mark:<9}{:>9}  {}", seconds(step.time), step.name));
         }
         lines.extend(self.left.iter().map(|name| format!("{:<20}{name}", "not run")));
-        let all = self.done.iter().map(|step| step.time).sum();
-        lines.push(format!("{:<9}{:>9}", "in all", seconds(all)));
+        // Less than the sum where steps ran side by side.
+        lines.push(format!("{:<9}{:>9}", "in all", seconds(self.began.elapsed())));
         let passed = self.done.iter().filter(|step| step.passed).count();
         if let Some(step) = self.done.iter().rfind(|step| !step.passed) {
             let again = self.again.as_ref().map_or(String::new(), |command| format!("; alone: {command}"));
@@ -133,6 +147,24 @@ mod tests {
         assert!(not_run.starts_with("not run") && not_run.ends_with("vitest: parts"), "{table}");
         assert_eq!(failed, "FAILED   tsc: types; alone: cargo xtask test tsc");
         assert_eq!(counts, "1 passed, 1 failed");
+    }
+
+    #[test]
+    fn what_ran_beside_is_told_too() {
+        let mut steps = Steps::default();
+        let mut other = Steps::default();
+        assert!(steps.run("webgl2: the site", || Ok(())).is_ok());
+        assert!(other.run("clippy: hints", || Outcome::<()>::Err("no".into())).is_err());
+        other.again("cargo xtask test clippy".to_owned());
+        other.leave("doc: words".to_owned());
+        steps.leave("phone: the site".to_owned());
+        steps.add(other);
+        let table = steps.table();
+        for name in ["webgl2: the site", "clippy: hints", "doc: words", "phone: the site"] {
+            assert!(table.contains(name), "{table}");
+        }
+        assert!(table.contains("FAILED   clippy: hints; alone: cargo xtask test clippy"), "{table}");
+        assert!(table.ends_with("1 passed, 1 failed"), "{table}");
     }
 
     #[test]

@@ -3,11 +3,12 @@
 use std::net::TcpListener;
 use std::path::Path;
 use std::process::Command;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
 use crate::browser;
 use crate::circles;
-use crate::command::{Outcome, cargo, cargo_wasm, run, run_beside, target};
+use crate::command::{Outcome, Run, cargo, cargo_wasm, run, run_behind, run_beside, target};
 use crate::folders;
 use crate::modules::MODULES;
 use crate::node::{self, Tool};
@@ -26,10 +27,15 @@ struct Check {
     work: Work,
 }
 
-/// What a check does: all of it, or those of its tests that are named, all where none is.
+/// What a check does.
+#[derive(Clone, Copy)]
 enum Work {
+    /// All of it.
     All(fn() -> Outcome),
+    /// Those of its tests that are named, all where none is.
     Named(fn(&[String]) -> Outcome),
+    /// All of it, behind the checks that come after it in the list: it takes what they leave of the machine.
+    Behind(fn(Run) -> Outcome),
 }
 
 /// The group of what runs only when it is named.
@@ -65,28 +71,28 @@ const CHECKS: &[Check] = &[
         name: "clippy",
         what: "clippy, natively",
         set_up: tools::components,
-        work: Work::All(clippy),
+        work: Work::Behind(clippy),
     },
     Check {
         group: "rust",
         name: "clippy-wasm",
         what: "clippy, for the browser",
         set_up: lint_wasm,
-        work: Work::All(clippy_wasm),
+        work: Work::Behind(clippy_wasm),
     },
     Check {
         group: "rust",
         name: "doc",
         what: "documentation of the crates, without a warning",
         set_up: nothing,
-        work: Work::All(doc),
+        work: Work::Behind(doc),
     },
     Check {
         group: "rust",
         name: "cargo-test",
         what: "tests of the crates",
         set_up: nothing,
-        work: Work::All(cargo_test),
+        work: Work::Behind(cargo_test),
     },
     Check { group: "web", name: "tsc", what: "types of the page", set_up: wasm::build, work: Work::All(tsc) },
     Check {
@@ -154,8 +160,8 @@ const CHECKS: &[Check] = &[
     },
 ];
 
-/// Runs the checks whose group or name is among `wanted`, or all but those [`ON_DEMAND`]; stops at the first that
-/// fails. After `--` there are names of single tests.
+/// Runs the checks whose group or name is among `wanted`, or all but those [`ON_DEMAND`]; begins none after the first
+/// that fails. After `--` there are names of single tests.
 pub fn test(steps: &mut Steps, wanted: &[String]) -> Outcome {
     let (wanted, names) = match wanted.iter().position(|word| word == "--") {
         Some(at) => (&wanted[..at], &wanted[at + 1..]),
@@ -164,27 +170,87 @@ pub fn test(steps: &mut Steps, wanted: &[String]) -> Outcome {
     if let Some(word) = wanted.iter().find(|word| !CHECKS.iter().any(|check| check.is(word))) {
         return Err(format!("there is no check `{word}`; there are:\n{}", list()).into());
     }
-    let mut chosen = CHECKS.iter().filter(|check| check.is_chosen(wanted));
+    let chosen: Vec<&Check> = CHECKS.iter().filter(|check| check.is_chosen(wanted)).collect();
     if !names.is_empty()
-        && let Some(check) = chosen.clone().find(|check| matches!(check.work, Work::All(_)))
+        && let Some(check) = chosen.iter().find(|check| !matches!(check.work, Work::Named(_)))
     {
         return Err(format!("`{}` has no single tests that it could run alone", check.name).into());
     }
-    while let Some(check) = chosen.next() {
+    run_all(steps, &chosen, names)
+}
+
+/// Runs the checks in their order. From the first that may run behind others on, those that may do so in a thread of
+/// their own, and the others before them: a browser waits for itself in much of its time, and compiling and testing
+/// the crates takes one core in much of theirs.
+fn run_all(steps: &mut Steps, checks: &[&Check], names: &[String]) -> Outcome {
+    let failed = AtomicBool::new(false);
+    let may_be_behind = |check: &&Check| matches!(check.work, Work::Behind(_));
+    let start = checks.iter().position(&may_be_behind).unwrap_or(checks.len());
+    let (behind, before): (Vec<&Check>, Vec<&Check>) =
+        checks[start..].iter().copied().partition(&may_be_behind);
+    let first = run_these(steps, &checks[..start], names, run, &failed);
+    if before.is_empty() || first.is_err() {
+        let rest = run_these(steps, &checks[start..], names, run, &failed);
+        return first.and(rest);
+    }
+    // What they need is installed before anything else is under way: nothing is installed twice at once.
+    for check in &behind {
+        if let Err(problem) = steps.prepare(&check.title(), check.set_up) {
+            steps.again(check.alone());
+            checks[start..].iter().for_each(|check| steps.leave(check.title()));
+            return Err(problem);
+        }
+    }
+    // Said at once: what runs beside it goes on for a while.
+    let say = |outcome: &Outcome| {
+        if let Err(problem) = outcome {
+            eprintln!("\n{problem}");
+        }
+    };
+    thread::scope(|scope| {
+        let running = scope.spawn(|| {
+            let mut steps = Steps::default();
+            let outcome = run_these(&mut steps, &behind, names, run_behind, &failed);
+            say(&outcome);
+            // An error of this kind does not go from thread to thread: its words do.
+            (steps, outcome.map_err(|problem| problem.to_string()))
+        });
+        let outcome = run_these(steps, &before, names, run, &failed);
+        say(&outcome);
+        let (others, other) = running.join().map_err(|_| "what runs behind the others could not be run")?;
+        steps.add(others);
+        outcome.and(other.map_err(Into::into))
+    })
+}
+
+/// Runs checks one after the other, and begins none after a failure, here or elsewhere.
+fn run_these(
+    steps: &mut Steps,
+    checks: &[&Check],
+    names: &[String],
+    run: Run,
+    failed: &AtomicBool,
+) -> Outcome {
+    let mut outcome = Ok(());
+    for check in checks {
         let name = check.title();
-        let outcome = steps.prepare(&name, check.set_up).and_then(|()| {
+        if failed.load(Ordering::Relaxed) {
+            steps.leave(name);
+            continue;
+        }
+        outcome = steps.prepare(&name, check.set_up).and_then(|()| {
             steps.run(&name, || match check.work {
                 Work::All(work) => work(),
                 Work::Named(work) => work(names),
+                Work::Behind(work) => work(run),
             })
         });
         if outcome.is_err() {
-            steps.again(format!("cargo xtask test {}", check.name));
-            chosen.for_each(|check| steps.leave(check.title()));
-            return outcome;
+            failed.store(true, Ordering::Relaxed);
+            steps.again(check.alone());
         }
     }
-    Ok(())
+    outcome
 }
 
 /// The checks as help prints them.
@@ -198,6 +264,11 @@ pub fn list() -> String {
 impl Check {
     fn title(&self) -> String {
         format!("{}: {}", self.name, self.what)
+    }
+
+    /// The command that tries it alone.
+    fn alone(&self) -> String {
+        format!("cargo xtask test {}", self.name)
     }
 
     fn is_chosen(&self, wanted: &[String]) -> bool {
@@ -234,13 +305,13 @@ fn fmt() -> Outcome {
         .map_err(|problem| format!("{problem}\n`cargo fmt --all` puts it right.").into())
 }
 
-fn clippy() -> Outcome {
+fn clippy(run: Run) -> Outcome {
     run(&mut cargo("clippy --quiet --workspace --all-targets -- --deny warnings"))
 }
 
 /// The crates with code for the browser only, and the tests that run there: all modules at once, but for the renderer
 /// of WebGL2, which the one of WebGPU excludes.
-fn clippy_wasm() -> Outcome {
+fn clippy_wasm(run: Run) -> Outcome {
     let others: Vec<String> = MODULES
         .iter()
         .flat_map(|(_, features)| features.split(','))
@@ -258,11 +329,11 @@ fn clippy_wasm() -> Outcome {
 }
 
 /// After clippy: what other people's crates say of themselves is there already.
-fn doc() -> Outcome {
+fn doc(run: Run) -> Outcome {
     run(cargo("doc --quiet --workspace --no-deps").env("RUSTDOCFLAGS", "--deny warnings"))
 }
 
-fn cargo_test() -> Outcome {
+fn cargo_test(run: Run) -> Outcome {
     run(&mut cargo("test --quiet --workspace"))
 }
 
@@ -349,4 +420,72 @@ fn play(project: &str, names: &[String]) -> Outcome {
 /// A port that nothing listens on, so that no other server is tested by mistake.
 pub fn free_port() -> Outcome<u16> {
     Ok(TcpListener::bind("127.0.0.1:0")?.local_addr()?.port())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(name: &'static str, work: Work) -> Check {
+        Check { group: "all", name, what: "a check", set_up: nothing, work }
+    }
+
+    /// What all of these give, and the table of their steps.
+    fn tried(checks: &[Check]) -> (bool, String) {
+        let mut steps = Steps::default();
+        let passed = run_all(&mut steps, &checks.iter().collect::<Vec<_>>(), &[]).is_ok();
+        (passed, steps.table())
+    }
+
+    #[test]
+    fn all_run_in_order_or_behind() {
+        let behind = Work::Behind(|run| run(&mut cargo("--version")));
+        let (passed, table) = tried(&[
+            check("quick", Work::All(|| Ok(()))),
+            check("behind", behind),
+            check("before", Work::Named(|_| Ok(()))),
+        ]);
+        assert!(passed && table.ends_with("3 passed, 0 failed"), "{table}");
+        let (passed, table) = tried(&[check("alone", behind)]);
+        assert!(passed && table.ends_with("1 passed, 0 failed"), "{table}");
+    }
+
+    #[test]
+    fn what_fails_in_either_place_fails() {
+        let no = || Err("no".into());
+        let (passed, table) = tried(&[
+            check("behind", Work::Behind(|_| Err("no".into()))),
+            check("before", Work::All(|| Ok(()))),
+        ]);
+        assert!(
+            !passed && table.contains("FAILED   behind: a check; alone: cargo xtask test behind"),
+            "{table}"
+        );
+        let (passed, table) =
+            tried(&[check("behind", Work::Behind(|_| Ok(()))), check("before", Work::All(no))]);
+        assert!(
+            !passed && table.contains("FAILED   before: a check; alone: cargo xtask test before"),
+            "{table}"
+        );
+    }
+
+    #[test]
+    fn nothing_begins_after_a_failure() {
+        let never = || -> Outcome { panic!("it began") };
+        let (passed, table) = tried(&[
+            check("quick", Work::All(|| Err("no".into()))),
+            check("behind", Work::Behind(|_| panic!("it began"))),
+            check("before", Work::All(never)),
+        ]);
+        assert!(!passed && table.matches("not run").count() == 2, "{table}");
+        assert!(table.ends_with("0 passed, 1 failed"), "{table}");
+    }
+
+    #[test]
+    fn what_cannot_be_set_up_behind_keeps_the_others_from_beginning() {
+        let mut behind = check("behind", Work::Behind(|_| panic!("it began")));
+        behind.set_up = |_| Err("no network".into());
+        let (passed, table) = tried(&[behind, check("before", Work::All(|| panic!("it began")))]);
+        assert!(!passed && table.contains("alone: cargo xtask test behind"), "{table}");
+    }
 }
