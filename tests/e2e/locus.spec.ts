@@ -17,30 +17,34 @@ function painted(page: Page): Promise<number> {
   });
 }
 
-test("the map takes the place of the stage, is as fine there as it is large, and goes back", async ({
-  studio,
-  page,
-}) => {
-  await studio.open(DRAGON);
-  await studio.idle();
-  const width = async () => (await studio.square.boundingBox())?.width ?? 0;
-  const stage = page.locator(".stage");
-  const [small, before] = [await width(), await stage.boundingBox()];
-  await page.locator("body").press("l");
-  await expect.poll(width).toBeGreaterThan(1.5 * small);
-  // The shape is in the corner, whole, and what is said of the map is said of the finer one.
-  expect((await stage.boundingBox())?.width).toBeLessThan((before?.width ?? 0) / 2);
-  await studio.idle();
-  expect((await studio.look()).lit).toBeGreaterThan(1000);
-  await expect(page.getByText("looks whole at 1/1200")).toBeVisible();
-  // It is taken hold of as in its panel.
-  const { x, y } = await studio.place(-0.5, 1.5);
-  await page.mouse.click(x, y);
-  await expect.poll(async () => (await studio.scene()).locus?.at?.[0] ?? 0).toBeCloseTo(-0.5, 1);
-  await page.keyboard.press("Escape");
-  await expect.poll(width).toBe(small);
-  expect(await stage.boundingBox()).toEqual(before);
-  await expect(page.getByText("looks whole at 1/600")).toBeVisible();
+test.describe("with proofs of what is seen", () => {
+  test.use({ proofs: true });
+
+  test("the map takes the place of the stage, is as fine there as it is large, and goes back", async ({
+    studio,
+    page,
+  }) => {
+    await studio.open(DRAGON);
+    await studio.idle();
+    const width = async () => (await studio.square.boundingBox())?.width ?? 0;
+    const stage = page.locator(".stage");
+    const [small, before] = [await width(), await stage.boundingBox()];
+    await page.locator("body").press("l");
+    await expect.poll(width).toBeGreaterThan(1.5 * small);
+    // The shape is in the corner, whole, and what is said of the map is said of the finer one.
+    expect((await stage.boundingBox())?.width).toBeLessThan((before?.width ?? 0) / 2);
+    await studio.idle();
+    expect((await studio.look()).lit).toBeGreaterThan(1000);
+    await expect(page.getByText("looks whole at 1/1200")).toBeVisible();
+    // It is taken hold of as in its panel.
+    const { x, y } = await studio.place(-0.5, 1.5);
+    await page.mouse.click(x, y);
+    await expect.poll(async () => (await studio.scene()).locus?.at?.[0] ?? 0).toBeCloseTo(-0.5, 1);
+    await page.keyboard.press("Escape");
+    await expect.poll(width).toBe(small);
+    expect(await stage.boundingBox()).toEqual(before);
+    await expect(page.getByText("looks whole at 1/600")).toBeVisible();
+  });
 });
 
 test("the map is enlarged by wheel, keys, buttons and numbers, and moved by hand", async ({

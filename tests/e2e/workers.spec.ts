@@ -1,7 +1,7 @@
 import { expect, test } from "./fixture";
 import type { Studio } from "./studio";
 
-test.use({ alone: true });
+test.use({ alone: true, proofs: true });
 
 /** Collects what the progress bar of the locus says, from the start of the page. */
 async function watchProgress({ page }: Studio): Promise<() => Promise<number[]>> {
