@@ -26,6 +26,18 @@ function arrive(
   );
 }
 
+/** A pair with little to work out: whatever arrives, the page is free for it. */
+const PLAIN = "a=gasket&b=koch&path=straight";
+/** Files are taken, and keys: what opens a file may come later. */
+const listening = (page: Page) =>
+  page.waitForFunction(() => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([], "none"));
+    return !document.body.dispatchEvent(
+      new DragEvent("dragover", { dataTransfer, bubbles: true, cancelable: true }),
+    );
+  });
+
 const BINARY = "binary { ; two halves\n .5, 0, 0, .5, 0, 0, -.5\n .5, 0, 0, .5, .5, 0, .5\n}\n";
 const SPONGE = "sponge (3D) { .4 0 0 0 .4 0 0 0 .4 0 0 0 1  .4 0 0 0 .4 0 0 0 .4 1 0 0 1 }\n";
 
@@ -33,18 +45,18 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   studio,
   page,
 }) => {
-  await studio.open("a=fern&b=tree&tool=deform");
-  await studio.idle();
+  await studio.open(`${PLAIN}&tool=deform`);
+  await listening(page);
   expect(await arrive(page, "drop", "whatever.png", BINARY)).toBe(true);
   await expect.poll(async () => (await studio.scene()).a.name).toBe("binary");
   const scene = await studio.scene();
-  expect([scene.tool ?? "morph", scene.t, scene.b.preset]).toEqual(["morph", 0, "tree"]);
+  expect([scene.tool ?? "morph", scene.t, scene.b.preset]).toEqual(["morph", 0, "koch"]);
   await expect.poll(async () => (await studio.said()).join()).toContain("negative");
   await page.getByRole("button", { name: "As B instead" }).click();
   await expect.poll(async () => (await studio.scene()).b.name).toBe("binary");
-  expect((await studio.scene()).a.preset).toBe("fern");
+  expect((await studio.scene()).a.preset).toBe("gasket");
   await page.getByRole("button", { name: "Undo", exact: true }).first().click();
-  await expect.poll(async () => (await studio.scene()).b.preset).toBe("tree");
+  await expect.poll(async () => (await studio.scene()).b.preset).toBe("koch");
   // Colours that a file brings are those of the picture, until they are given back.
   const xform = (color: number, x: number, y: number) =>
     `<xform weight="1" color="${color}" linear="1" coefs=".5 0 0 .5 ${x} ${y}"/>`;
@@ -77,8 +89,8 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
 });
 
 test("of several systems one is chosen by its picture or its name", async ({ studio, page }) => {
-  await studio.open("a=fern&b=tree");
-  await studio.idle();
+  await studio.open(PLAIN);
+  await listening(page);
   const many = Array.from({ length: 14 }, (_, k) => BINARY.replace("binary", `leaf ${k}`)).join("");
   expect(await arrive(page, "paste", "forest.ifs", many + SPONGE)).toBe(true);
   const dialog = page.getByRole("dialog", { name: "forest.ifs" });
@@ -94,11 +106,11 @@ test("of several systems one is chosen by its picture or its name", async ({ stu
 });
 
 test("a system of space opens there, and what is none is refused with its line", async ({ studio, page }) => {
-  await studio.open("a=fern&b=tree");
-  await studio.idle();
+  await studio.open(PLAIN);
+  await listening(page);
   await arrive(page, "drop", "bad.ifs", "bad {\n .5 0 0 .5 0 zero\n}");
   await expect.poll(async () => (await studio.said()).join()).toContain('Line 2: "zero" is no number.');
-  expect((await studio.scene()).a.preset).toBe("fern");
+  expect((await studio.scene()).a.preset).toBe("gasket");
   await arrive(page, "drop", "sponge.txt", SPONGE);
   await expect.poll(async () => (await studio.said()).join()).toContain("sponge is there, with 2 maps");
   expect((await studio.scene()).tool).toBe("space");
@@ -108,8 +120,9 @@ test("maps are exported, and what is saved opens again; a picture holds its docu
   studio,
   page,
 }) => {
-  await studio.open("a=fern&b=tree&t=0.5");
-  await studio.idle();
+  // Numbers of as many digits as there are, that none gets lost.
+  await studio.open("a=dragon&b=gasket&path=straight&t=0.5");
+  await listening(page);
   await page.keyboard.press("t");
   const dialog = page.getByRole("dialog", { name: "Maps as text" });
   await dialog.getByRole("radio", { name: "LaTeX" }).check({ force: true });
@@ -119,24 +132,24 @@ test("maps are exported, and what is saved opens again; a picture holds its docu
   const download = page.waitForEvent("download");
   await dialog.getByRole("button", { name: "Save .ifs" }).click();
   const file = await download;
-  expect(file.suggestedFilename()).toBe("frond-fern.ifs");
+  expect(file.suggestedFilename()).toBe("frond-dragon.ifs");
   const text = (await readFile((await file.path()) ?? "")).toString();
   const before = (await studio.scene()).a.maps;
-  await arrive(page, "drop", "fern.ifs", text);
-  await expect.poll(async () => (await studio.scene()).a).toEqual({ name: "Fern", maps: before });
+  await arrive(page, "drop", "dragon.ifs", text);
+  await expect.poll(async () => (await studio.scene()).a).toEqual({ name: "Dragon", maps: before });
 
   const picture = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save", exact: true }).click();
   await page.getByRole("menuitem", { name: "Save as PNG" }).click();
   const bytes = [...(await readFile((await (await picture).path()) ?? ""))];
-  await studio.open("a=carpet&b=tree");
-  await studio.idle();
+  await studio.open(PLAIN);
+  await listening(page);
   await page.evaluate((bytes) => {
     const data = new DataTransfer();
-    data.items.add(new File([new Uint8Array(bytes)], "fern.png", { type: "image/png" }));
+    data.items.add(new File([new Uint8Array(bytes)], "dragon.png", { type: "image/png" }));
     document.body.dispatchEvent(
       new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }),
     );
   }, bytes);
-  await expect.poll(async () => (await studio.scene()).a.name).toBe("Fern");
+  await expect.poll(async () => (await studio.scene()).a.name).toBe("Dragon");
 });
