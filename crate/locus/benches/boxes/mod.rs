@@ -53,9 +53,11 @@ pub fn report(morph: &Morph, buffer: f64, only: Option<&str>) {
         print(&format!("({u0}, {v0}) + {side}"), &slice, near, 256, 1e-5);
     }
     let all = Bounds { u0: -0.75, v0: 0.0, u1: 0.75, v1: 0.75 };
-    for epsilon in [1.0 / 600.0, 1e-4] {
+    for epsilon in [1.0 / 600.0, 1e-4, 1e-5] {
         print("the set M", &Polygons::new(2), all, 400, epsilon);
     }
+    let near = Bounds { u0: 0.4785, v0: 0.456, u1: 0.4805, v1: 0.458 };
+    print("the set M, magnified", &Polygons::new(2), near, 256, 1e-6);
     if only.is_some() {
         return;
     }
