@@ -32,8 +32,10 @@ impl LocusGrid {
     ///
     /// States are those of [`decide`](fn@crate::decide), or proofs for a whole box of samples: such a sample is
     /// `Disconnected` only where its gap is wider than epsilon, and may be `Connected` where `decide` alone says
-    /// `Touching`. Gaps inside a disconnected box are interpolated between its corners: near its middle that is right
-    /// to 1 in 20 or to 1 in 200 of the diameter, elsewhere mostly to 1 in 10, and never less than what is proved.
+    /// `Touching`. Gaps inside a disconnected box are interpolated between its corners, and never less than what is
+    /// proved: in its middle that is right to 1 in 20 or to 1 in 200 of the diameter. Elsewhere nothing bounds it, as
+    /// where another pair of pieces becomes the widest apart; of 30,000 samples of random morphs 99 in 100 were right
+    /// to 1 in 10 or to 1 in 250 of the diameter, and 999 in 1000 to twice that.
     ///
     /// Points that come near are looked for first where those of a sample of a coarser grid were. So near points may
     /// be found that `decide` alone does not find, and a sample be `Touching` where it is `Undecided` there, or
