@@ -6,6 +6,7 @@
 //! that is asked for, nor on what was decided before.
 
 use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 
 use crate::gap::trails::Trails;
 
@@ -15,8 +16,28 @@ type Place = (usize, usize);
 /// The ways to near points of the samples that others begin from.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Starts {
-    known: HashMap<Place, Trails>,
+    known: HashMap<Place, Trails, BuildHasherDefault<PlaceHasher>>,
     none: Trails,
+}
+
+/// Hashes columns and rows: as nobody chooses them to collide, a product is enough.
+#[derive(Clone, Debug, Default)]
+struct PlaceHasher(u64);
+
+impl Hasher for PlaceHasher {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|&byte| self.write_usize(byte.into()));
+    }
+
+    fn write_usize(&mut self, number: usize) {
+        // 2^64 over the golden ratio. The table takes its places from the lowest bits, and tells by the highest.
+        let mixed = (self.0 ^ number as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        self.0 = mixed ^ mixed >> 32;
+    }
 }
 
 /// On the grid of every so-manieth row and column samples begin from scratch.
@@ -31,7 +52,7 @@ impl Starts {
         if !self.known.contains_key(&before) {
             let start = self.of(before, find);
             let found = find(before, start);
-            self.keep(before, &found);
+            self.insert(before, found);
         }
         self.known.get(&before).unwrap_or(&self.none)
     }
@@ -39,11 +60,15 @@ impl Starts {
     /// Keeps what was found at a place, if others begin from there.
     pub fn keep(&mut self, at: Place, found: &Trails) {
         if (at.0 | at.1).is_multiple_of(2) {
-            if self.known.len() >= MOST_KEPT {
-                self.known.clear();
-            }
-            self.known.insert(at, found.clone());
+            self.insert(at, found.clone());
         }
+    }
+
+    fn insert(&mut self, at: Place, found: Trails) {
+        if self.known.len() >= MOST_KEPT {
+            self.known.clear();
+        }
+        self.known.insert(at, found);
     }
 }
 
