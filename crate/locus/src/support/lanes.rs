@@ -37,6 +37,12 @@ struct Lowering<const L: usize> {
     shift: [f64; L],
 }
 
+impl<const L: usize> Lowering<L> {
+    /// Of no map.
+    const NONE: Self =
+        Self { low: [0; L], near: 0, from_low: [0.0; L], from_high: [0.0; L], shift: [0.0; L] };
+}
+
 /// Direction `k` of the fan, on the boundary of the square [-1, 1]^2, counter-clockwise.
 pub(crate) fn direction(k: usize) -> DVec2 {
     let s = (k % DIRECTIONS_A_SIDE) as f64 * (2.0 / DIRECTIONS_A_SIDE as f64) - 1.0;
@@ -73,17 +79,11 @@ impl<const L: usize> SupportLanes<L> {
     /// Bounds the attractors of the systems, all known to lie in the unit disc; see
     /// [`SupportTable::set`](crate::support::table::SupportTable::set).
     pub fn set(&mut self, maps: &[Maps<L>], accuracy: f64, rounds: usize) {
-        self.links.clear();
-        for k in 0..DIRECTIONS {
+        // Written in place, as each copy of one is a call in WebAssembly.
+        self.links.resize(DIRECTIONS * maps.len(), Lowering::NONE);
+        for (k, links) in self.links.chunks_exact_mut(maps.len()).enumerate() {
             let d = direction(k);
-            for map in maps {
-                let mut link = Lowering {
-                    low: [0; L],
-                    near: 0,
-                    from_low: [0.0; L],
-                    from_high: [0.0; L],
-                    shift: [0.0; L],
-                };
+            for (map, link) in maps.iter().zip(links) {
                 for l in 0..L {
                     let (low, along, length) = locate(map[l].linear.transpose() * d);
                     link.low[l] = low as u32;
@@ -94,7 +94,6 @@ impl<const L: usize> SupportLanes<L> {
                         link.near = (low + usize::from(along > 0.5)) as u32;
                     }
                 }
-                self.links.push(link);
             }
             self.values[k] = [d.length() * (1.0 + 1e-12); L];
         }
@@ -153,10 +152,9 @@ impl<const L: usize> SupportLanes<L> {
 
     /// Repeats the beginning of the fan at its end.
     fn wrap(&mut self) {
-        for k in DIRECTIONS..TABLE {
-            self.values[k] = self.values[k - DIRECTIONS];
-            self.points[k] = self.points[k - DIRECTIONS];
-        }
+        // In one go: WebAssembly calls out for each copy.
+        self.values.copy_within(..TABLE - DIRECTIONS, DIRECTIONS);
+        self.points.copy_within(..TABLE - DIRECTIONS, DIRECTIONS);
     }
 
     /// An upper bound of the support function of one lane's attractor, and the number of a point that comes
