@@ -1,4 +1,6 @@
+import { readFileSync } from "node:fs";
 import type { Locator, Page } from "@playwright/test";
+import { decodeScene, initSync } from "../../www/pkg/frond-first.js";
 import { expectClean } from "./axe";
 import { expectDrawn, expectShape, guess, openFigure, ROWS_OF_FIGURES, UNITS } from "./figure-pages";
 import { expect, test } from "./fixture";
@@ -74,18 +76,26 @@ async function expectAnswer(page: Page): Promise<void> {
   await expect(question.getByTestId("truth")).toHaveCount(0);
 }
 
-/** One page to read and guess, one of exercises; no answers unless the page's own print adds them. */
+/** One page to read and guess, one of exercises; no answers, also where the page shows them. */
 async function expectHandout(page: Page): Promise<void> {
-  const answers = page.locator("summary", { hasText: "For teachers" });
-  for (const _ of ["closed", "open"]) {
-    await page.emulateMedia({ media: "print" });
-    for (const format of ["A4", "Letter"]) {
-      const pdf = (await page.pdf({ format })).toString("latin1");
-      expect(pdf.match(/\/Type \/Page\b/g)?.length, format).toBe(2);
-    }
-    await page.emulateMedia({ media: null });
-    await answers.click();
+  await page.emulateMedia({ media: "print" });
+  for (const format of ["A4", "Letter"]) {
+    const pdf = (await page.pdf({ format })).toString("latin1");
+    expect(pdf.match(/\/Type \/Page\b/g)?.length, format).toBe(2);
   }
+  await page.emulateMedia({ media: null });
+  const teachers = page.locator("details", { has: page.locator("summary", { hasText: "For teachers" }) });
+  const summary = teachers.locator("summary");
+  const answers = teachers.locator(":scope > :not(summary)");
+  await summary.click();
+  await expect(answers).toBeVisible();
+  const event = (name: string) => page.evaluate((name) => dispatchEvent(new Event(name)) && 0, name);
+  await event("beforeprint");
+  await page.emulateMedia({ media: "print" });
+  await expect(answers).toBeHidden();
+  await page.emulateMedia({ media: null });
+  await event("afterprint");
+  await summary.click();
 }
 
 /** How far down the page an element begins. */
@@ -120,11 +130,21 @@ function studioLinks(page: Page): Promise<string[]> {
     .evaluateAll((all) => all.map((a) => a.getAttribute("href") ?? "no address"));
 }
 
-/** Links of figures are links of the studio, of the tool that they name. */
+initSync({ module: readFileSync(new URL("../../www/pkg/frond-first_bg.wasm", import.meta.url)) });
+
+/**
+ * Links of figures are links of the studio, of the tool that they name: what reads them in the page reads all of them
+ * here. The page opens the first of each tool, and all whose tool reads a part of its own.
+ */
 async function expectOpening(page: Page, links: readonly string[]): Promise<void> {
+  const tools = new Set<string | undefined>();
   for (const link of links) {
-    await page.evaluate((link) => location.assign(link), link);
     const tool = new URLSearchParams(link.slice(1)).get("tool") ?? undefined;
+    const { scene, problem } = decodeScene(link.slice(1));
+    expect([problem, scene.tool], link).toEqual([undefined, tool]);
+    if (tools.has(tool) && tool !== "space" && tool !== "fit") continue;
+    tools.add(tool);
+    await page.evaluate((link) => location.assign(link), link);
     await expect.poll(() => page.evaluate(() => window.frond?.scene().tool)).toBe(tool);
     await expect(page.getByRole("alert")).toHaveCount(0);
   }
