@@ -1,4 +1,5 @@
 /** What begins once the first picture is there, and need not be fetched before it. */
+import { recallShapes } from "#tools/morph/shapes/recall";
 import { waitForSwipes } from "#ui/swipe";
 import { link } from "./actions";
 import { beGuided } from "./guide/start";
@@ -18,6 +19,7 @@ export function beginLater(hash: string, embedded: boolean, play: Play): void {
     beStepped(link);
     void beKept(hash);
     beGuided(hash);
+    recallShapes();
   }
   if (play === "on" || play === "once") moveBySelf(play);
 }

@@ -1,5 +1,4 @@
 import { computed } from "@preact/signals";
-import { useEffect } from "preact/hooks";
 import { thumbnails } from "#compute/results";
 import { selection } from "#document/morph";
 import { announce, notify } from "#document/notice";
@@ -36,17 +35,11 @@ const wordOf = (end: End) =>
   computed(() => (scene.value[end].preset === undefined ? changedWord(scene.value[end], scene.value) : null));
 const changed = { a: wordOf("a"), b: wordOf("b") };
 
-const look = ({ recall }: typeof import("./recall")) => recall();
-
 function Card({ end }: { end: End }) {
   const { name, maps, preset } = shapes[end].value;
   const editing = selection.value?.target === end;
   const count = `${maps.length} ${maps.length === 1 ? "copy" : "copies"}`;
   const word = changed[end].value;
-  // Whether it was edited or only matched a link does not say.
-  useEffect(() => {
-    if (preset === undefined && maps.length > 0) void import("./recall").then(look, () => undefined);
-  }, [preset, maps]);
   return (
     <EndCard
       end={end}

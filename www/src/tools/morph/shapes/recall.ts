@@ -2,6 +2,7 @@
  * Shapes of a link that a way across has matched. A link has their maps and does not say whence they are: the same ways
  * are listed again, for the shapes of the gallery whose names they have.
  */
+import { computed, effect } from "@preact/signals";
 import { originOf } from "#document/presets";
 import { scene } from "#document/scene";
 import { sameMaps } from "#geometry/maps/same-maps";
@@ -48,15 +49,21 @@ let timer: ReturnType<typeof setTimeout> | null = null;
 /** What has been asked about. */
 const asked = new WeakSet<Shape>();
 
-/** Looks whether the present shapes were matched, once they rest. */
-export function recall(): void {
-  if (timer) clearTimeout(timer);
-  timer = setTimeout(() => void look(scene.peek()), REST_MS);
+/** From now on it is looked whether shapes that are not the gallery's were matched, once they rest. */
+export function recallShapes(): void {
+  effect(() => {
+    if (unknown.value.length === 0) return;
+    if (timer) clearTimeout(timer);
+    timer = setTimeout(() => void look(scene.peek()), REST_MS);
+  });
 }
 
+const [a, b] = [computed(() => scene.value.a), computed(() => scene.value.b)];
+const unknown = computed(() => [a.value, b.value].filter((shape) => shape.preset === undefined));
+
 async function look({ a, b }: Pair): Promise<void> {
-  const unknown = [a, b].filter((shape) => shape.preset === undefined);
-  if (unknown.every((shape) => asked.has(shape))) return;
-  for (const shape of unknown) asked.add(shape);
-  if (await isMatched({ a, b }, bySelf)) for (const shape of unknown) learnMatched(shape);
+  const open = [a, b].filter((shape) => shape.preset === undefined);
+  if (open.every((shape) => asked.has(shape))) return;
+  for (const shape of open) asked.add(shape);
+  if (await isMatched({ a, b }, bySelf)) for (const shape of open) learnMatched(shape);
 }
