@@ -22,8 +22,11 @@ export function beGuided(hash: string): void {
   document.body.append(host);
   render(h(Guide, null), host);
   // The room that the page has kept for the word of welcome.
+  const { dataset } = document.documentElement;
+  const { first = "" } = dataset;
   effect(() => {
-    document.documentElement.toggleAttribute("data-first", greeting.value !== null);
+    if (greeting.value === null) delete dataset["first"];
+    else dataset["first"] = first;
   });
   const left = underWay(STEPS.length);
   if (left !== null && route.peek().page === "studio") {
