@@ -114,6 +114,19 @@ mod tests {
     }
 
     #[test]
+    fn series_bend_in_a_wide_disc() {
+        let mut boxes = PowerSeriesBoxes::default();
+        for up in [0.01, 0.05] {
+            let (middle, radius) = (DVec2::new(0.3, up), 0.05);
+            // 1 - s - s^2 - .. falls ever faster towards 1.
+            let s = middle + DVec2::new(radius, 0.0);
+            let value = (DVec2::new(1.0 - 2.0 * s.x, -2.0 * s.y) / (DVec2::X - s).length()).length();
+            assert!(boxes.stay_away(middle, radius, 0.97 * value), "{up}: {value}");
+            assert!(!boxes.stay_away(middle, radius, 1.001 * value), "{up}: {value}");
+        }
+    }
+
+    #[test]
     fn nothing_is_said_of_discs_that_meet_m_or_are_none() {
         let mut boxes = PowerSeriesBoxes::default();
         assert!(boxes.stay_away(DVec2::new(0.3, 0.3), 0.01, 1e-3));
