@@ -224,6 +224,25 @@ describe("Pyramid", () => {
     expect(third.read(window, 4).state.every((s) => s === STATE.hidden)).toBe(true);
   });
 
+  it("says of a large map that something is known everywhere when it is, and not with the first tile", () => {
+    const size = samplesAt(0);
+    const [state, gap] = [new Uint8Array(size * size), new Float32Array(size * size)];
+    const pyramid = new Pyramid(morph, () => ({ width: size, height: size, state, gap, progress: 0 }));
+    const watch = { painted: vi.fn(), coarse: vi.fn(), failed: vi.fn() };
+    const found = new WindowWork(pyramid, watch, true);
+    found.want(view(1), 2);
+    const tiles = pyramid.missing(homeOf("morph"), 2).coarse.length;
+    expect(tiles).toBe(64);
+    const job = found.job();
+    for (let k = 0; k < tiles; k++) {
+      expect(watch.coarse).not.toHaveBeenCalled();
+      const task = job.next();
+      if (!task) throw new Error("no task");
+      job.accept(task, answer(task), 1);
+    }
+    expect(watch.coarse).toHaveBeenCalledTimes(1);
+  });
+
   it("ends what was begun when one looks elsewhere and back", () => {
     const pyramid = new Pyramid(morph);
     const { found, job } = work(pyramid, view(3), false, 40);

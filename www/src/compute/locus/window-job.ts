@@ -229,7 +229,7 @@ export class WindowWork {
 
   #tell(): void {
     if (this.#coarseLeft > 0 && this.#view) {
-      const { coarse } = this.pyramid.missing(windowOf(this.#view), this.#view.zoom);
+      const { coarse } = this.pyramid.missing(windowOf(this.#view), this.#view.zoom * this.#detail);
       this.#coarseLeft = coarse.length;
       if (coarse.length === 0) this.#watch.coarse();
     }
