@@ -5,7 +5,9 @@ import type { HTMLAttributes } from "preact";
 import { endGesture } from "#document/scene";
 import { addStep } from "#format/numbers";
 import { percent } from "#format/path-words";
+import type { VerdictWords } from "#format/verdict";
 import type { Uv } from "#geometry/path";
+import { VerdictSign } from "#ui/shapes/VerdictSign";
 
 /** A path as hands and keys change it. */
 export interface WayPath {
@@ -28,6 +30,8 @@ export interface WayPath {
   /** What is known of a way point, of the present moment, and how a point is called. */
   wayWords(index: number): string;
   stateNow(): string;
+  /** What the stage has said of the shape at a point. It holds there alone, whatever the samples around it show. */
+  toneAt?(point: Uv): VerdictWords["tone"] | null;
   pointWords(point: Uv): string;
   /** Where a point lies on the square that is shown: parts from its left and from its top. */
   place(point: Uv): [x: number, y: number];
@@ -122,6 +126,7 @@ export function WayHandle({ path, index, pointer }: HandleProps & { index: numbe
 export function CurrentHandle({ path, pointer }: HandleProps) {
   const t = path.moment.value;
   const at = path.uv.value;
+  const tone = path.toneAt?.(at);
   return (
     <div
       id={CURRENT_ID}
@@ -149,6 +154,8 @@ export function CurrentHandle({ path, pointer }: HandleProps) {
       }}
       onKeyUp={endGesture}
       onBlur={endGesture}
-    />
+    >
+      {tone && <VerdictSign tone={tone} />}
+    </div>
   );
 }

@@ -3,10 +3,11 @@ import { pathBreaks } from "#compute/results";
 import { pathPoints } from "#document/morph";
 import type { Uv } from "#geometry/path";
 import { piecesIn, slice, sliced } from "#geometry/polyline";
+import { VerdictSign } from "#ui/shapes/VerdictSign";
 import { twins } from "./families/families";
 import css from "./field.module.css";
 import { isOff, isOutside } from "./path/handles";
-import { place } from "./path/way";
+import { place, toneAt } from "./path/way";
 import { family, picked, shownWindow, sides, view } from "./view/view";
 
 export function End({ letter, at: [x, y] }: { letter: string; at: [number, number] }) {
@@ -101,11 +102,14 @@ export function PickedMark() {
 function Mark({ point, kind }: { point: Uv; kind: string }) {
   const [x, y] = place(point, shownWindow.value);
   if (isOutside([x, y])) return null;
+  const tone = toneAt(point);
   return (
     <span
       class={`${css["locus-mark"]} ${kind}`}
       style={{ left: `${100 * x}%`, top: `${100 * y}%` }}
       aria-hidden="true"
-    />
+    >
+      {tone && <VerdictSign tone={tone} />}
+    </span>
   );
 }

@@ -17,6 +17,7 @@ import {
   pointWords,
   removeAt,
   stateNow,
+  toneAt,
   way,
   wayWords,
 } from "./way";
@@ -44,6 +45,7 @@ export const PATH: WayPath = {
   goTo: scrubTo,
   wayWords,
   stateNow,
+  toneAt,
   pointWords,
   place: onSquare,
   /** Beyond the edge of the square, or off the slice that it shows. */

@@ -6,7 +6,7 @@ import { announce } from "#document/notice";
 import { setT } from "#document/playback";
 import { edit, endGesture, scene } from "#document/scene";
 import { fixed } from "#format/numbers";
-import { type Told, toldOf, verdictPhrase } from "#format/verdict";
+import { type Told, toldOf, type VerdictWords, verdictPhrase, verdictWords } from "#format/verdict";
 import { timesOf, type Uv } from "#geometry/path";
 import { clamp, insert, move, nearestOn, remove } from "#geometry/polyline";
 import { sampleNear } from "#geometry/states";
@@ -55,6 +55,13 @@ export function stateNow(): string {
   const { t } = scene.value;
   const told = along.value?.told;
   return verdictPhrase(told?.[Math.round(t * (told.length - 1))] ?? toldAt(uv.value));
+}
+
+/** What the stage says of the shape at a point, where it is that which it shows. A proof holds for one parameter. */
+export function toneAt(point: Uv): VerdictWords["tone"] | null {
+  const known = verdict.value;
+  if (!known || known.stale || known.uv !== point) return null;
+  return verdictWords(known.connectedness, known.epsilon).tone;
 }
 
 /** What becomes of the path about a way point: whether it breaks there, before it, or after. */
