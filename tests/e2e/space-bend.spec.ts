@@ -2,7 +2,7 @@ import type { Page } from "@playwright/test";
 import { expect, test } from "./fixture";
 
 // A picture of space costs by its pixels.
-test.use({ viewport: { width: 900, height: 560 } });
+test.use({ viewport: { width: 780, height: 480 } });
 
 const complete = (page: Page) =>
   expect(page.getByTestId("space-status")).toHaveText("Complete picture", { timeout: 120_000 });
