@@ -65,7 +65,7 @@ export function scheduleWindow(): void {
   effect(() => {
     publish.locus.value;
     untracked(() => {
-      if (pyramid?.based) paint();
+      if (pyramid?.based && pyramid.shown === pyramid) paint();
     });
   });
 }
@@ -97,7 +97,8 @@ function start(next: LocusSource): void {
       painted: () => {
         if (mine !== pyramid || !work) return;
         if (performance.now() - work.started > GRACE_MS) mine.forget();
-        soon.ask(work.progress === 1);
+        // As long as it is the last plane that is shown, nothing of this one is seen.
+        if (mine.shown === mine) soon.ask(work.progress === 1);
       },
       coarse: () => {
         if (mine !== pyramid) return;
