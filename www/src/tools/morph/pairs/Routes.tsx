@@ -20,7 +20,7 @@ const NAMES: Record<RouteKind, string> = {
   refine: "With smaller copies",
   double: "With a copy twice",
   joints: "Joint by joint",
-  place: "From another place",
+  place: "With shape B laid elsewhere",
 };
 
 /** Ways to bring the two shapes to a morph, each in a sentence. */
