@@ -87,6 +87,8 @@ pub trait Dimension: sealed::Sealed + Copy + Debug + PartialEq + 'static {
 
     /// How a matrix turns into another, with so many extra whole turns, and how each stretches.
     fn turning(from: Self::Matrix, to: Self::Matrix, extra: i32) -> (Kind, Self::Turn, [Self::Matrix; 2]);
+    /// The whole angle of a turn.
+    fn angle(turn: &Self::Turn) -> f64;
     /// The orthogonal factor after the part `u` of a turn.
     fn turned(turn: &Self::Turn, kind: Kind, u: f64) -> Self::Matrix;
 }

@@ -10,11 +10,12 @@
 //! `a=maps:0.5,0,0,0.5,0,0;..`, its numbers with as many digits as bring back the same bits, and its name
 //! as `a-name`; how often the chaos game takes each map, where that is said, as `a-weights=1,2,0.5`. Keys
 //! that are not known are passed over, so that a link of a later version still shows what this one
-//! understands. Old links open for ever: `tests/links.txt` is the collection that proves it.
+//! understands. Turns count from the counter-clockwise half turn where a map turns by half a turn (`link/turns.rs` says
+//! why). Old links open for ever: `tests/links.txt` is the collection that proves it.
 
 use std::fmt::Write as _;
 
-use frond_core::{Colouring, MAX_MAPS, Mode, is_permutation};
+use frond_core::{Colouring, MAX_MAPS, Mode, is_permutation, pair};
 
 use crate::preset::{Row, preset};
 use crate::scene::{PathKind, Scene, Shape, Tool, Window};
@@ -25,6 +26,7 @@ mod error;
 mod fit;
 mod locus;
 mod space;
+pub(crate) mod turns;
 pub(crate) mod words;
 
 pub use error::{LinkError, MAX_LINK};
@@ -34,6 +36,7 @@ use directed::{read_directed, write_directed};
 use fit::{read_curves, read_fit, write_curves, write_fit};
 use locus::{read_locus, read_way_points, write_locus};
 use space::{read_space, write_space};
+use turns::Counting;
 use words::{
     choice, colour_words, damaged, escape, is_colour, name_of, number, numbers, read_colours, read_list,
     read_numbers, tidy, unescape, within,
@@ -87,8 +90,9 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
         let letters: Vec<String> = scene.correspondence.iter().map(|i| (i + 1).to_string()).collect();
         let _ = write!(link, "&match={}", letters.join(","));
     }
-    if scene.turns.iter().any(|&turns| turns != 0) {
-        let turns: Vec<String> = scene.turns.iter().map(ToString::to_string).collect();
+    let turns = counting(scene).for_link(&scene.turns);
+    if !turns.is_empty() {
+        let turns: Vec<String> = turns.iter().map(ToString::to_string).collect();
         let _ = write!(link, "&turns={}", turns.join(","));
     }
     if scene.colouring != Colouring::Map {
@@ -225,21 +229,31 @@ fn read_morph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Scene, LinkE
         }
         scene.correspondence = letters;
     }
-    if let Some(text) = get("turns") {
-        let turns: Option<Vec<i32>> = text.split(',').map(|part| part.parse().ok()).collect();
-        let turns = turns.filter(|turns| turns.len() == maps && turns.iter().all(|t| (-16..=16).contains(t)));
-        scene.turns = turns.ok_or_else(|| damaged("turns", text))?;
-        // None is what nothing stands for.
-        if scene.turns.iter().all(|&turns| turns == 0) {
-            scene.turns.clear();
-        }
-    }
+    // A link that names no shape is about the document that everything begins with, and no old link.
+    let named = get("a").is_some() || get("b").is_some();
+    let counting = if named { counting(&scene) } else { Counting::NONE };
+    scene.turns = read_turns(get("turns"), maps, &counting)?;
     scene.colouring = choice("colour", get("colour"), &COLOURS)?;
     if let Some(text) = get("palette") {
         scene.palette = read_colours(text, MAX_MAPS).ok_or_else(|| damaged("palette", text))?;
     }
     scene.tool = choice("tool", get("tool"), &Tool::NAMES)?;
     Ok(scene)
+}
+
+/// How links count the turns of a document's morph.
+fn counting(scene: &Scene) -> Counting {
+    let (Ok(a), Ok(b)) = (scene.a.ifs(), scene.b.ifs()) else { return Counting::NONE };
+    let ends = pair(&a, &b);
+    Counting::of(&ends.from, &ends.to, &scene.correspondence)
+}
+
+fn read_turns(text: Option<&str>, maps: usize, counting: &Counting) -> Result<Vec<i32>, LinkError> {
+    let turns: Option<Vec<i32>> = text.map_or(Some(Vec::new()), |text| {
+        let turns: Vec<i32> = text.split(',').map(|part| part.parse().ok()).collect::<Option<_>>()?;
+        (turns.len() == maps).then_some(turns)
+    });
+    turns.and_then(|turns| counting.of_link(&turns)).ok_or_else(|| damaged("turns", text.unwrap_or_default()))
 }
 
 fn write_shape(link: &mut String, key: &str, shape: &Shape) {

@@ -172,7 +172,11 @@ impl Motion3 {
         let cut = period.is_some_and(|period| shapes[count - 1].time - shapes[0].time == period);
         let ends = if period.is_some() && !cut { count } else { count - 1 };
         let morph = |k: usize| {
-            Morph3::new(&shapes[k].value, &shapes[(k + 1) % count].value, &MorphOptions::default())
+            let [from, to] = [k, (k + 1) % count].map(|k| &shapes[k].value);
+            let morph = Morph3::new(from, to, &MorphOptions::default())?;
+            // A half turn is counter-clockwise, as it looks to whoever turns something by a key.
+            let turns: Vec<i32> = morph.other_half_turns().iter().map(|&turn| turn.max(0)).collect();
+            Morph3::new(from, to, &MorphOptions { turns, ..MorphOptions::default() })
         };
         let morphs = (0..ends).map(morph).collect::<Result<_, _>>()?;
         Ok(Self { places, shapes, morphs, course, period })

@@ -79,6 +79,10 @@ impl Dimension for Dim2 {
         turn2::between(from, to, extra)
     }
 
+    fn angle(&(_, turn): &(f64, f64)) -> f64 {
+        turn
+    }
+
     #[inline]
     fn turned(turn: &(f64, f64), kind: Kind, u: f64) -> DMat2 {
         turn2::at(turn, kind, u)

@@ -78,6 +78,10 @@ impl Dimension for Dim3 {
         turn3::between(from, to, extra)
     }
 
+    fn angle(turn: &Turn3) -> f64 {
+        turn.angle
+    }
+
     fn turned(turn: &Turn3, _: Kind, u: f64) -> DMat3 {
         turn.at(u)
     }

@@ -3,6 +3,7 @@
 use crate::dimension::{Dim2, Dim3, Dimension};
 use crate::linear::affine::Affine;
 use crate::morph::options::{Kind, Mode, MorphError, MorphOptions};
+use crate::morph::turn2::is_half;
 
 /// A family of systems over (u, v): u turns and stretches, v moves; (0, 0) is the first system and
 /// (1, 1) the last (Burch & Hart 1997, section 5). A third parameter, w, lets the stretch run ahead of the turn
@@ -12,8 +13,11 @@ use crate::morph::options::{Kind, Mode, MorphError, MorphOptions};
 /// are written as a rotation times a symmetric matrix at both ends, so that the one that reflects has a
 /// negative stretch along one axis, and goes through a collapse of that axis.
 ///
-/// In space quaternions take the place of angles: a map turns about one axis by the least angle, and whole turns more
-/// where they are asked for. Where both ends reflect, the orthogonal factor is minus a rotation all the way. A map
+/// Each map turns by the shortest turn, and whole turns more where they are asked for. Where that is half a turn, which is
+/// as short either way, the sign of eq 6 decides: of the second angle less the first, both in (-pi, pi]. So the family
+/// from the last system to the first is this one run backwards, whatever the mode.
+///
+/// In space quaternions take the place of angles: a map turns about one axis by the least angle. Where both ends reflect, the orthogonal factor is minus a rotation all the way. A map
 /// without a turn of its own (it puts all on a line or in a point) takes as much of the other end's turn as fits it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Morph<D: Dimension = Dim2> {
@@ -77,6 +81,18 @@ impl<D: Dimension> Morph<D> {
         self.pairs.iter().map(|pair| pair.turn).collect()
     }
 
+    /// For each map that turns by half a turn, the whole turns (1 or -1) that make it the half turn the other way round;
+    /// 0 for all others, and in a linear morph, which does not turn.
+    #[must_use]
+    pub fn other_half_turns(&self) -> Vec<i32> {
+        let other = |pair: &Pair<D>| match D::angle(&pair.turn) {
+            turn if self.mode == Mode::Linear || !is_half(turn) => 0,
+            turn if turn < 0.0 => 1,
+            _ => -1,
+        };
+        self.pairs.iter().map(other).collect()
+    }
+
     /// The maps at (u, v). Any parameters are allowed; there need not be an attractor.
     #[must_use]
     pub fn at(&self, u: f64, v: f64) -> Vec<Affine<D>> {
@@ -135,14 +151,14 @@ fn mix<D: Dimension>(a: D::Matrix, b: D::Matrix, u: f64) -> D::Matrix {
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec2;
+    use glam::{DMat3, DQuat, DVec2, DVec3};
     use proptest::prelude::*;
 
     use super::*;
-    use crate::Affine2;
     use crate::linear::polar2::orthogonal;
     use crate::testing::any_map;
     use crate::testing3::any_map3;
+    use crate::{Affine2, Affine3};
 
     fn options(mode: Mode) -> MorphOptions {
         MorphOptions { mode, ..MorphOptions::default() }
@@ -179,6 +195,59 @@ mod tests {
         }
     }
 
+    /// Maps among which half turns between two are common, off by rounding or not, with a zero of either sign.
+    fn half_turned(map: impl Strategy<Value = Affine2>) -> impl Strategy<Value = Affine2> {
+        let quarter = |k: i32, wobble: f64, scale: f64, mirror: bool| {
+            let [cos, sin] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][k.rem_euclid(4) as usize];
+            let side = if mirror { -scale } else { scale };
+            let (sin, cos) = (sin + wobble, cos - wobble);
+            Affine2::from_row([scale * cos, -side * sin, scale * sin, side * cos, 0.5, -0.25])
+        };
+        let wobble = prop_oneof![Just(0.0), Just(-0.0), Just(1e-17), Just(-1e-16), Just(1e-13)];
+        let scale = prop_oneof![Just(0.5), Just(-0.5), 0.1..0.9_f64];
+        prop_oneof![1 => map, 3 => (0..4, wobble, scale, any::<bool>()).prop_map(move |(k, o, s, m)| quarter(k, o, s, m))]
+    }
+
+    /// Maps of space that turn about axes among which half turns between two are common, and flat ones.
+    fn half_turned3() -> impl Strategy<Value = Affine<Dim3>> {
+        let axes =
+            [DVec3::X, DVec3::Y, DVec3::Z, DVec3::new(1.0, 1.0, 0.0), DVec3::new(1.0, -2.0, 2.0), DVec3::ONE];
+        let axis = proptest::sample::select(axes.to_vec());
+        let sizes = [
+            DVec3::splat(0.5),
+            DVec3::splat(-0.5),
+            DVec3::new(0.5, 0.25, 0.125),
+            DVec3::new(0.5, 0.5, -0.25),
+        ];
+        let flat =
+            [DVec3::ZERO, DVec3::new(0.5, 0.0, 0.0), DVec3::new(0.0, 0.0, -0.5), DVec3::new(0.5, 0.5, 0.0)];
+        let size = proptest::sample::select([sizes, flat].concat());
+        let turned = (axis, -4..5_i32, size, any::<bool>()).prop_map(|(axis, quarters, size, first)| {
+            let angle = f64::from(quarters) * std::f64::consts::FRAC_PI_2;
+            let turn = Affine3::similitude(1.0, DQuat::from_axis_angle(axis.normalize(), angle), DVec3::ZERO);
+            let stretch = Affine3::new(DMat3::from_diagonal(size), DVec3::X);
+            if first { stretch * turn } else { turn * stretch }
+        });
+        prop_oneof![1 => any_map3(), 4 => turned]
+    }
+
+    fn runs_backwards<D: Dimension>(
+        a: Affine<D>,
+        b: Affine<D>,
+        turns: i32,
+        linear: bool,
+        [u, v, w]: [f64; 3],
+    ) {
+        let mode = if linear { Mode::Linear } else { Mode::Polar };
+        let with = |turns| MorphOptions { mode, turns: vec![turns], ..MorphOptions::default() };
+        let there = Morph::new(&[a], &[b], &with(turns)).unwrap();
+        let back = Morph::new(&[b], &[a], &with(-turns)).unwrap();
+        let far = apart(there.at3(u, v, w)[0], back.at3(1.0 - u, 1.0 - v, -w)[0]);
+        assert!(far < 1e-8, "{far} between {a:?} and {b:?}, {turns} turns, at {u}, {v}, {w}");
+        let opposite: Vec<i32> = back.other_half_turns().iter().map(|turn| -turn).collect();
+        assert_eq!(there.other_half_turns(), opposite);
+    }
+
     proptest! {
         #[test]
         fn it_goes_from_end_to_end_without_a_jump(a in any_map(), b in any_map(), linear: bool) {
@@ -193,6 +262,22 @@ mod tests {
         #[test]
         fn the_sign_of_the_determinant_is_kept(a in any_map(), b in any_map()) {
             keeps_the_sign_of_the_determinant(a, b);
+        }
+
+        #[test]
+        fn from_the_other_end_it_runs_backwards(
+            a in half_turned(any_map()), b in half_turned(any_map()), turns in -2..3, linear: bool,
+            u in -1.0..2.0_f64, v in -1.0..2.0_f64, w in -1.0..1.0_f64,
+        ) {
+            runs_backwards(a, b, turns, linear, [u, v, w]);
+        }
+
+        #[test]
+        fn it_does_so_in_space_too(
+            a in half_turned3(), b in half_turned3(), turns in -2..3, linear: bool,
+            u in -1.0..2.0_f64, v in -1.0..2.0_f64, w in -1.0..1.0_f64,
+        ) {
+            runs_backwards(a, b, turns, linear, [u, v, w]);
         }
 
         #[test]
@@ -226,6 +311,49 @@ mod tests {
         let det = |mode| Morph::new(&[a], &[b], &options(mode)).unwrap().at(0.5, 0.5)[0].determinant();
         assert!(det(Mode::Linear) < 1e-3);
         assert!((det(Mode::Polar) - 0.25).abs() < 1e-12);
+    }
+
+    /// Burch & Hart (1997, eq 6), as printed: theta is interpolated linearly between arctangents in (-pi, pi].
+    #[test]
+    fn half_a_turn_goes_as_eq_6_says() {
+        let turned = |degrees: f64| {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            Affine2::from_row([cos * 0.5, -sin * 0.5, sin * 0.5, cos * 0.5, 0.0, 0.0])
+        };
+        for (from, to, halfway) in [
+            (180.0, 0.0, 90.0),
+            (0.0, 180.0, 90.0),
+            (-90.0, 90.0, 0.0),
+            (90.0, -90.0, 0.0),
+            (135.0, -45.0, 45.0),
+        ] {
+            let morph = Morph::new(&[turned(from)], &[turned(to)], &options(Mode::Polar)).unwrap();
+            assert!(apart(morph.at(0.5, 0.5)[0], turned(halfway)) < 1e-12, "{from} to {to}");
+            let turns = morph.other_half_turns();
+            let other = MorphOptions { turns, ..MorphOptions::default() };
+            let other = Morph::new(&[turned(from)], &[turned(to)], &other).unwrap();
+            assert!(apart(other.at(0.5, 0.5)[0], turned(halfway + 180.0)) < 1e-12, "{from} to {to}");
+        }
+        // Minus zeros and rounding do not choose.
+        for off in [0.0, -0.0, 1e-16, -1e-16] {
+            let from = Affine2::from_row([-0.5, -off, off, -0.5, 0.0, 0.0]);
+            let morph = Morph::new(&[from], &[turned(0.0)], &options(Mode::Polar)).unwrap();
+            assert!(apart(morph.at(0.5, 0.5)[0], turned(90.0)) < 1e-12, "{off}");
+        }
+    }
+
+    /// About the axis that points up it is as in the plane.
+    #[test]
+    fn half_a_turn_in_space_goes_as_in_the_plane() {
+        let turned = |degrees: f64| {
+            Affine3::similitude(0.5, DQuat::from_rotation_z(degrees.to_radians()), DVec3::ZERO)
+        };
+        for (from, to, halfway) in
+            [(180.0, 0.0, 90.0), (0.0, 180.0, 90.0), (-90.0, 90.0, 0.0), (90.0, -90.0, 0.0)]
+        {
+            let morph = Morph::new(&[turned(from)], &[turned(to)], &options(Mode::Polar)).unwrap();
+            assert!(apart(morph.at(0.5, 0.5)[0], turned(halfway)) < 1e-12, "{from} to {to}");
+        }
     }
 
     #[test]

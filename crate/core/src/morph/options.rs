@@ -25,7 +25,8 @@ pub struct MorphOptions {
     /// `correspondence[i]` is the map of the last system that map i of the first becomes. Empty: the same
     /// index.
     pub correspondence: Vec<usize>,
-    /// Whole extra turns of each map, counter-clockwise, -16 to 16. Empty: the shortest turn.
+    /// Whole extra turns of each map, counter-clockwise, -16 to 16; in space about the axis of its turn that points up.
+    /// Empty: the shortest turn.
     pub turns: Vec<i32>,
 }
 

@@ -1,5 +1,7 @@
 //! How a map of the plane turns into another.
 
+use std::f64::consts::{PI, TAU};
+
 use glam::{DMat2, DVec2};
 
 use crate::linear::polar2::{Polar2, orthogonal};
@@ -28,7 +30,7 @@ pub(crate) fn between(from: DMat2, to: DMat2, extra: i32) -> (Kind, (f64, f64), 
     };
     let stretch = [(ends[0], angle), (ends[1], last)]
         .map(|(m, angle)| symmetric(orthogonal(angle, kind == Kind::Reflecting).transpose() * m));
-    let turn = shortest(last - angle) + std::f64::consts::TAU * f64::from(extra);
+    let turn = shortest(angle, last) + TAU * f64::from(extra);
     (kind, (angle, turn), stretch)
 }
 
@@ -59,8 +61,23 @@ fn directed(m: DMat2, kind: Kind) -> bool {
     direction.length() > 1e-12 * singular_values(m).0
 }
 
-/// The same angle in (-pi, pi].
-fn shortest(angle: f64) -> f64 {
-    let turned = angle.rem_euclid(std::f64::consts::TAU);
-    if turned > std::f64::consts::PI { turned - std::f64::consts::TAU } else { turned }
+/// How far it is from one angle to another by the shorter way. Half a turn is as short by either: the difference of the
+/// angles in (-pi, pi] decides, as Burch & Hart (1997, eq 6) print it. Seen from the other end it is the way back.
+pub(crate) fn shortest(from: f64, to: f64) -> f64 {
+    let difference = principal(to) - principal(from);
+    if is_half(difference) { difference } else { difference - TAU * (difference / TAU).round() }
 }
+
+/// The same angle in (-pi, pi]; pi also where rounding puts it on the other side.
+fn principal(angle: f64) -> f64 {
+    let angle = angle - TAU * (angle / TAU).round();
+    if angle <= HALF_ERROR - PI { angle + TAU } else { angle }
+}
+
+/// Whether a turn is half a turn, to rounding.
+pub(crate) fn is_half(turn: f64) -> bool {
+    (turn.abs() - PI).abs() <= HALF_ERROR
+}
+
+/// Turns that are so near half a turn are taken for it: what is typed or multiplied out is off by rounding.
+pub(crate) const HALF_ERROR: f64 = 1e-9;

@@ -1,19 +1,23 @@
 //! How a map of space turns into another.
 
-use glam::{DMat3, DQuat, DVec3};
+use std::f64::consts::{PI, TAU};
+
+use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::linear::polar3::{Polar3, jacobi};
 use crate::linear::svd3::singular_values3;
 use crate::morph::options::Kind;
+use crate::morph::turn2::{HALF_ERROR, shortest};
+use crate::order::Total;
 
 /// How a map turns on its way: from `start`, by `angle` radians about `axis`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn3 {
     /// The turn at the start: `Q` of its polar decomposition, or `-Q` where both ends reflect.
     pub start: DQuat,
-    /// The axis, a unit vector, in the coordinates before `start`.
+    /// The axis, a unit vector that points up, or else forward, or else to the right, in the coordinates before `start`.
     pub axis: DVec3,
-    /// The whole angle, in [0, pi] but for whole extra turns.
+    /// The whole angle about it, counter-clockwise, in [-pi, pi] but for whole extra turns.
     pub angle: f64,
 }
 
@@ -34,8 +38,9 @@ pub(crate) fn between(from: DMat3, to: DMat3, extra: i32) -> (Kind, Turn3, [DMat
     // Minus a reflecting matrix of space does not reflect.
     let side = if kind == Kind::Reflecting { -1.0 } else { 1.0 };
     let [a, b] = ends.map(|m| m * side);
-    // The end that knows its turn better is asked first.
-    let (p, q) = if freedom(a) <= freedom(b) {
+    // The end that knows its turn better is asked first. Where neither does, the same one is from either side.
+    let rank = |m: DMat3| (freedom(m), m.to_cols_array().map(Total));
+    let (p, q) = if rank(a) <= rank(b) {
         let p = nearest(a, DMat3::IDENTITY);
         (p, nearest(b, p))
     } else {
@@ -118,16 +123,37 @@ fn nearest(m: DMat3, like: DMat3) -> DMat3 {
 
 /// The turn from one rotation to another, the shortest and `extra` whole ones.
 fn turn_between(p: DMat3, q: DMat3, extra: i32) -> Turn3 {
-    let start = DQuat::from_mat3(&p).normalize();
+    let [start, end] = [p, q].map(|m| DQuat::from_mat3(&m).normalize());
     let between = DQuat::from_mat3(&(p.transpose() * q)).normalize();
-    let between = if between.w < 0.0 { -between } else { between };
     let sine = between.xyz().length();
-    let angle = 2.0 * sine.atan2(between.w);
-    let axis = if sine > 1e-14 { between.xyz() / sine } else { DVec3::Z };
-    // Half a turn goes either way: the way is that whose axis points up, or else forward, or else to the right.
-    let down = axis.z < -1e-9 || axis.z < 1e-9 && (axis.y < -1e-9 || axis.y < 1e-9 && axis.x < 0.0);
-    let axis = if down && between.w < 1e-9 { -axis } else { axis };
-    Turn3 { start, axis, angle: angle + std::f64::consts::TAU * f64::from(extra) }
+    let axis = if sine > 1e-14 { upwards(between.xyz() / sine) } else { DVec3::Z };
+    let angle = 2.0 * between.xyz().dot(axis).atan2(between.w);
+    let angle = if between.w.abs() < HALF_ERROR {
+        angle + TAU * ((half_turn(start, end, axis) - angle) / TAU).round()
+    } else {
+        shortest(0.0, angle)
+    };
+    Turn3 { start, axis, angle: TAU.mul_add(f64::from(extra), angle) }
+}
+
+/// Which half turn leads from one rotation to another, of the two about an axis. About it the rotations have angles, as
+/// maps of the plane have (the twists of their quaternions), and these decide as they do there: from the other end it is
+/// the way back.
+fn half_turn(start: DQuat, end: DQuat, axis: DVec3) -> f64 {
+    let twist = |q: DQuat| DVec2::new(q.w, q.xyz().dot(axis));
+    if twist(start).length() > HALF_ERROR {
+        let [from, to] = [start, end].map(|q| 2.0 * twist(q).to_angle());
+        return shortest(from, to);
+    }
+    // Both are half turns about axes across it, and have no angle about it: the order of these axes decides.
+    let [from, to] = [start, end].map(|q| upwards(q.xyz()).to_array().map(Total));
+    if from < to { PI } else { -PI }
+}
+
+/// An axis or its opposite: the one that points up, or else forward, or else to the right.
+fn upwards(axis: DVec3) -> DVec3 {
+    let down = |x: f64, rest: bool| x < -HALF_ERROR || x < HALF_ERROR && rest;
+    if down(axis.z, down(axis.y, axis.x < 0.0)) { -axis } else { axis }
 }
 
 #[cfg(test)]
@@ -183,7 +209,7 @@ mod tests {
         assert!(apart(morph.at(0.5, 0.5)[0], middle) < 1e-12);
         let choice = MorphOptions { turns: vec![-1], ..MorphOptions::default() };
         let more = Morph3::new(&[a], &[b], &choice).unwrap();
-        assert!((more.turns()[0].angle - (1.2 - std::f64::consts::TAU)).abs() < 1e-12);
+        assert!((more.turns()[0].angle - (1.2 - TAU)).abs() < 1e-12);
         assert_eq!(more.at(1.0, 1.0), [b]);
     }
 

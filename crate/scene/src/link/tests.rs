@@ -306,12 +306,13 @@ proptest! {
 #[test]
 fn links_read_like_words() {
     let mut scene = Scene::default();
-    assert_eq!(encode(&scene), "v=1&a=dragon-3&b=gasket");
+    assert_eq!(encode(&scene), "v=1&a=dragon-3&b=gasket&turns=0,-1,0");
     let at = |u, v| WayPoint { u, v, w: 0.0 };
     scene.path.points = vec![at(0.25, 1.5), at(0.5, -0.125)];
     scene.t = 0.5;
     scene.compare = true;
     scene.correspondence = vec![2, 0, 1];
+    scene.turns = vec![0, 1, 0];
     assert_eq!(
         encode(&scene),
         "v=1&a=dragon-3&b=gasket&path=auto:0.25,1.5;0.5,-0.125&t=0.5&match=3,1,2&compare=1"
@@ -321,7 +322,7 @@ fn links_read_like_words() {
 #[test]
 fn colours_read_like_words() {
     let scene = Scene { palette: vec!["#ff0000".into(), "#00C0ff".into()], ..Scene::default() };
-    let link = "v=1&a=dragon-3&b=gasket&palette=ff0000,00C0ff";
+    let link = "v=1&a=dragon-3&b=gasket&turns=0,-1,0&palette=ff0000,00C0ff";
     assert_eq!(encode(&scene), link);
     assert_eq!(decode(link), (scene, None));
     let many = vec!["000000"; 65].join(",");
@@ -345,7 +346,7 @@ fn a_locus_reads_like_words() {
         at: Some(WayPoint { u: 0.02, v: 0.7, w: 0.0 }),
         ..LocusView::whole(FamilyName::Polygon)
     });
-    let link = "v=1&a=dragon-3&b=gasket&path=auto:0.25,1.5,-0.5&locus=m:0,0,1&at=0.02,0.7";
+    let link = "v=1&a=dragon-3&b=gasket&path=auto:0.25,1.5,-0.5&turns=0,-1,0&locus=m:0,0,1&at=0.02,0.7";
     assert_eq!(encode(&scene), link);
     assert_eq!(decode(link), (scene, None));
     let at = decode("at=0.5,0.25,1").0.locus.unwrap();
@@ -361,7 +362,7 @@ fn an_edited_shape_of_the_gallery_is_written_out() {
     scene.b.name = "Gasket & more".to_owned();
     let link = encode(&scene);
     assert!(
-        link.contains("&b=maps:0.45,0,0,0.5,0,0;") && link.ends_with("&b-name=Gasket%20%26%20more"),
+        link.contains("&b=maps:0.45,0,0,0.5,0,0;") && link.contains("&b-name=Gasket%20%26%20more&"),
         "{link}"
     );
     let (again, problem) = decode(&link);
@@ -388,6 +389,44 @@ fn old_links_still_open() {
         count += 1;
     }
     assert!(count >= 8);
+}
+
+/// The second map of the dragon of three turns by half a turn. Links were written that leave it open which, when it was
+/// counter-clockwise from either end; eq 6 of Burch & Hart (1997) has it clockwise from the dragon on.
+#[test]
+fn a_link_keeps_the_half_turn_that_it_showed() {
+    let halfway = |scene: &Scene| {
+        let ends = pair(&scene.a.ifs().unwrap(), &scene.b.ifs().unwrap());
+        let (correspondence, turns) = (scene.correspondence.clone(), scene.turns.clone());
+        let options = frond_core::MorphOptions { mode: scene.mode, correspondence, turns };
+        let morph: frond_core::Morph = frond_core::Morph::new(&ends.from, &ends.to, &options).unwrap();
+        morph.at(0.5, 0.5)[1].to_row().map(|x| (x * 1e9).round() / 1e9)
+    };
+    // Half as large, turned by so many quarters from lying along the x axis, at (3/4, 0).
+    let turned = |cos: f64, sin: f64| [cos * 0.5, -sin * 0.5, sin * 0.5, cos * 0.5, 0.75, 0.0];
+    let (back, forward) = (turned(0.0, 1.0), turned(0.0, -1.0));
+    let opened = |link: &str| decode_morph(link).unwrap();
+    for (link, shown) in [
+        ("v=1&a=dragon-3&b=gasket", forward),
+        ("v=1&a=dragon-3&b=gasket&turns=0,0,0", forward),
+        ("v=1&a=dragon-3&b=gasket&turns=0,-1,0", back),
+        ("v=1&a=gasket&b=dragon-3", back),
+        ("v=1&a=gasket&b=dragon-3&turns=0,-1,0", forward),
+        ("", back),
+    ] {
+        let scene = opened(link);
+        assert_eq!(halfway(&scene), shown, "{link}");
+        assert_eq!(halfway(&opened(&encode(&scene))), shown, "{link}");
+        assert_eq!(decode(link), (scene, None), "{link}");
+    }
+    // As far as turns go.
+    for turns in [-16, 15] {
+        let scene = Scene { turns: vec![0, turns, 0], ..Scene::default() };
+        assert_eq!(decode(&encode(&scene)), (scene, None));
+    }
+    for beyond in ["17", "-18", "99999999999"] {
+        assert!(decode(&format!("v=1&a=dragon-3&b=gasket&turns=0,{beyond},0")).1.is_some(), "{beyond}");
+    }
 }
 
 #[test]

@@ -22,12 +22,13 @@ use frond_core::{Course, Ease, Mode};
 use thiserror::Error;
 use words::{choice, exactly, floats};
 
+use crate::link::turns::Counting;
 use crate::link::words::{escape, is_colour, name_of, number, numbers, tidy, unescape};
 use crate::scene::{MAX_WAY_POINTS, Path, PathKind, WayPoint};
 use crate::space::bend::{SpaceBend, moves_problem};
 use crate::space::document::{
     MAX_KEYS3, MAX_OBJECTS3, PAGE_BACKGROUND, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight,
-    SpaceMorph, SpaceObject, Timeline,
+    SpaceMorph, SpaceObject, Timeline, affine,
 };
 use crate::space::part::{Held, SpaceView};
 use crate::space::preset::Row3;
@@ -145,7 +146,7 @@ pub fn pack(space: &Space) -> Result<String, PackedError> {
         let _ = write!(word, "/b:{}", background.trim_start_matches('#'));
     }
     if let Some(morph) = &space.morph {
-        write_morph(&mut word, morph);
+        write_morph(&mut word, morph, &counting(space, morph));
     }
     if let Some(line) = &space.timeline {
         let (repeat, course) = (name_of(&REPEATS, &line.repeat), name_of(&COURSES, &line.course));
@@ -176,7 +177,13 @@ fn write_shape(word: &mut String, shape: &Shape3) {
     }
 }
 
-fn write_morph(word: &mut String, morph: &SpaceMorph) {
+/// How words count the turns of a morph: as links of the plane do.
+fn counting(space: &Space, morph: &SpaceMorph) -> Counting {
+    let [from, to] = [&space.objects[0].shape, &morph.to].map(|shape| affine(&shape.maps));
+    Counting::of(&from, &to, &morph.correspondence)
+}
+
+fn write_morph(word: &mut String, morph: &SpaceMorph, counting: &Counting) {
     word.push_str("/to:");
     write_shape(word, &morph.to);
     if morph.mode == Mode::Linear {
@@ -193,7 +200,7 @@ fn write_morph(word: &mut String, morph: &SpaceMorph) {
     }
     for (key, list) in [
         ("match", morph.correspondence.iter().map(|i| (i + 1).to_string()).collect::<Vec<_>>()),
-        ("turns", morph.turns.iter().map(ToString::to_string).collect()),
+        ("turns", counting.for_link(&morph.turns).iter().map(ToString::to_string).collect()),
     ] {
         if !list.is_empty() {
             let _ = write!(word, "/{key}:{}", list.join(","));
@@ -287,9 +294,19 @@ pub fn unpack(word: &str) -> Result<Space, PackedError> {
             break;
         }
     }
+    if let Some(mut morph) = space.morph.take() {
+        if !space.objects.is_empty() {
+            let turns = counting(&space, &morph).of_link(&morph.turns);
+            morph.turns = turns.ok_or(MATCHING)?;
+        }
+        space.morph = Some(morph);
+    }
     check(&space)?;
     Ok(space)
 }
+
+const MATCHING: PackedError =
+    PackedError::Number { what: "the matching", range: "each map is named once, with up to 16 turns" };
 
 fn damaged(part: &str) -> PackedError {
     PackedError::Damaged { part: tidy(part).chars().take(24).collect() }
@@ -441,10 +458,7 @@ fn check(space: &Space) -> Result<(), PackedError> {
         let turns = morph.turns.is_empty()
             || morph.turns.len() == from && morph.turns.iter().all(|turns| (-16..=16).contains(turns));
         if !whole || !turns {
-            return Err(PackedError::Number {
-                what: "the matching",
-                range: "each map is named once, with up to 16 turns",
-            });
+            return Err(MATCHING);
         }
     }
     let Some(line) = &space.timeline else { return Ok(()) };

@@ -8,7 +8,8 @@ fn a_deformation_reads_like_words() {
     let moves = &mut deform.keys[0].moves;
     (moves[10], moves[11]) = (0.1, 0.25);
     let scene = Scene { tool: Tool::Deform, deform: Some(deform), ..Scene::default() };
-    let words = "v=1&a=dragon-3&b=gasket&tool=deform&mesh=4x4:0,0,1,1&bend=0,9,0.75&keys=0:6,0.1,0.25";
+    let words =
+        "v=1&a=dragon-3&b=gasket&turns=0,-1,0&tool=deform&mesh=4x4:0,0,1,1&bend=0,9,0.75&keys=0:6,0.1,0.25";
     assert_eq!(encode(&scene), words);
     assert_eq!(decode(words), (scene, None));
 }

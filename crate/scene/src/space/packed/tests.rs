@@ -114,6 +114,36 @@ fn any_space() -> impl Strategy<Value = Space> {
     )
 }
 
+/// Words were written in which half a turn was always counter-clockwise about the axis that points up, and whole turns
+/// were counted about the axis wherever it pointed.
+#[test]
+fn a_word_keeps_the_turns_that_it_showed() {
+    let maps = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        format!("maps;{},{},0,{},{},0,0,0,0.5,0,0,0", cos * 0.5, -sin * 0.5, sin * 0.5, cos * 0.5)
+    };
+    for (from, to, turns, halfway) in [
+        (180.0, 0.0, "", 270.0),
+        (0.0, 180.0, "", 90.0),
+        (180.0, 0.0, "/turns:-1", 90.0),
+        (0.0, -90.0, "", -45.0),
+        (0.0, -90.0, "/turns:1", -225.0),
+        (0.0, 90.0, "/turns:1", 225.0),
+    ] {
+        let word = format!("o:{}/to:{}{turns}", maps(from), maps(to));
+        let space = unpack(&word).unwrap();
+        for space in [unpack(&pack(&space).unwrap()).unwrap(), space] {
+            let morph = space.morph.unwrap();
+            let [first, last] = [&space.objects[0].shape, &morph.to].map(|shape| affine(&shape.maps));
+            let at: Vec<frond_core::Affine3> =
+                frond_core::Morph3::new(&first, &last, &morph.options()).unwrap().at(0.5, 0.5);
+            let angle = at[0].linear.x_axis.y.atan2(at[0].linear.x_axis.x).to_degrees();
+            let off = (angle - halfway) / 360.0;
+            assert!((off - off.round()).abs() < 1e-9, "{word}: {angle}");
+        }
+    }
+}
+
 proptest! {
     #[test]
     fn what_is_packed_comes_back(space in any_space()) {
