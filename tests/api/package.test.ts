@@ -15,7 +15,7 @@ const manifest: { exports: Record<string, string | Record<string, string>> } = J
 
 /** What README.md promises of the package's first entry. */
 const PROMISED = `presets validate attractor rasterize bounds connectedness certificate connectedCertificate checkCertificate indexBuffer
-  barnsleyTest pair interpolate locus LocusTiles planPath planPathIn checkPath certifyPath candidates rateCandidate routes ways
+  barnsleyTest pair interpolate halfTurns locus LocusTiles planPath planPathIn checkPath certifyPath candidates rateCandidate routes ways
   familyMaps criticalScale FamilyTiles PathSearch conjugate polar encodeScene decodeScene defaultScene settleLocus settleFamily
   CurveMorph curvePresets curveFacts packCurve unpackCurve quantised curveMaps curveCopies curveSteps curveSvg curveCsv
   interpolation sampleGraph graphAt graphFacts toRecurrent

@@ -151,7 +151,11 @@ export interface MorphOptions {
   mode?: Mode;
   /** `correspondence[i]` is the map of `to` that map i of `from` becomes. Default: the same index. */
   correspondence?: number[];
-  /** Whole extra turns of each map. Default: the shortest turn, 0. */
+  /**
+   * Whole extra turns of each map, counter-clockwise; in space about the axis of its turn that points up. Default: the
+   * shortest turn, 0; where that is half a turn, the one that the signs of eq 6 give (Burch & Hart 1997). The other one
+   * is what `halfTurns` says.
+   */
   turns?: number[];
 }
 

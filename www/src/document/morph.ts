@@ -52,6 +52,16 @@ export const morphOptions: ReadonlySignal<MorphOptions> = computed(() => {
   return options;
 });
 
+/** For each map that turns by half a turn, the whole turns that make it the other half turn; 0 for all others. */
+export const halfTurns: ReadonlySignal<number[]> = computed(() => {
+  const { from, to } = pairing.value;
+  try {
+    return frond.halfTurns({ maps: from }, { maps: to }, morphOptions.value);
+  } catch {
+    return [];
+  }
+});
+
 /** The path from (0,0) to (1,1), both included. */
 export const pathPoints: ReadonlySignal<Uv[]> = computed(() => pointsOf(path.value));
 

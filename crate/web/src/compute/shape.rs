@@ -61,6 +61,17 @@ pub fn interpolate(
     Ok(object(&fields))
 }
 
+/// For each map that turns by half a turn from `from` to `to`, which is as short either way, the whole turns (1 or -1)
+/// that make it the other half turn when they are added to its `turns`; 0 for all others.
+#[wasm_bindgen(js_name = halfTurns, unchecked_return_type = "number[]")]
+pub fn half_turns(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MorphOptions | undefined")] options: JsValue,
+) -> Result<JsValue, JsValue> {
+    write(&read_morph(&from, &to, &options)?.other_half_turns())
+}
+
 /// The same shape elsewhere: every map conjugated by `transform`, a row of six numbers.
 #[wasm_bindgen(unchecked_return_type = "Ifs")]
 pub fn conjugate(

@@ -38,6 +38,17 @@ pub fn interpolate3(
     write_maps3(&read_morph3(&from, &to, &options)?.at3(u, v, w))
 }
 
+/// For each map that turns by half a turn from `from` to `to`, which is as short either way, the whole turns (1 or -1)
+/// that make it the other half turn when they are added to its `turns`; 0 for all others.
+#[wasm_bindgen(js_name = halfTurns3, unchecked_return_type = "number[]")]
+pub fn half_turns3(
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] to: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MorphOptions | undefined")] options: JsValue,
+) -> Result<JsValue, JsValue> {
+    write(&read_morph3(&from, &to, &options)?.other_half_turns())
+}
+
 /// Whether a shape of space is in one piece. Maps without an attractor get the verdict `no-attractor`.
 #[wasm_bindgen(unchecked_return_type = "Connectedness3")]
 pub fn connectedness3(

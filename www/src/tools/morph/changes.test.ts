@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { sameWeighted, withWeights } from "#geometry/maps/weighted";
 import type { MapRow, Route, Scene } from "#wasm/api";
-import { asBoth, choose, flatPairs, MOST_POINTS, setPoints, swap } from "./changes";
+import { asBoth, choose, flatPairs, MOST_POINTS, setPoints, swap, turnedFurther } from "./changes";
 import { isMatched, takeMatching, takeRoute, takeWay } from "./ways";
 
 const half: MapRow = [0.5, 0, 0, 0.5, 0, 0];
@@ -37,6 +37,14 @@ describe("shapes", () => {
   it("copies an end to the other", () => {
     expect(asBoth(scene, "a").b).toEqual(scene.a);
     expect(asBoth(scene, "b").a).toEqual(scene.b);
+  });
+});
+
+describe("turns", () => {
+  it("are added, and none are an empty list", () => {
+    expect(turnedFurther(scene, [0, 1, 0]).turns).toEqual([1, 1, -2]);
+    expect(turnedFurther(scene, [-1, 0, 2]).turns).toEqual([]);
+    expect(turnedFurther({ ...scene, turns: [] }, [0, -1, 0]).turns).toEqual([0, -1, 0]);
   });
 });
 

@@ -50,6 +50,12 @@ export function swap(scene: Scene): Scene {
   };
 }
 
+/** Each map turns by so many whole turns more. No turn at all is what an empty list stands for. */
+export function turnedFurther(scene: Scene, by: readonly number[]): Scene {
+  const turns = by.map((turn, i) => turn + ((scene.turns.length === by.length && scene.turns[i]) || 0));
+  return { ...scene, turns: turns.every((turn) => turn === 0) ? [] : turns };
+}
+
 /** Way points as the hand left them: the path is drawn from now on. */
 export function setPoints(scene: Scene, points: PathPoint[]): Scene {
   return { ...scene, path: { kind: "drawn", points: points.slice(0, MOST_POINTS) } };

@@ -1,6 +1,8 @@
 import "#ui/panel/fold.css";
-import { pairing } from "#document/morph";
-import { flatPairs } from "../changes";
+import { halfTurns, pairing } from "#document/morph";
+import { edit } from "#document/scene";
+import { HalfTurns } from "#ui/shapes/HalfTurns";
+import { flatPairs, turnedFurther } from "../changes";
 import { pairsOpen } from "../dialogs";
 import { Pairs, PairWords } from "../later";
 import { correspondence } from "../parts";
@@ -16,15 +18,22 @@ export function PairNotes() {
 /** Which map becomes which: as it is, by hand, and what else there is. */
 export function PairsPanel() {
   return (
-    <details
-      class={`fold ${css["pairs"]}`}
-      open={pairsOpen.value}
-      onToggle={(event) => {
-        pairsOpen.value = event.currentTarget.open;
-      }}
-    >
-      <summary>Which map becomes which</summary>
-      {pairsOpen.value && <Pairs />}
-    </details>
+    <>
+      {halfTurns.value.some((turn) => turn !== 0) && (
+        <div class={`notes ${css["pair-notes"]}`}>
+          <HalfTurns other={halfTurns.value} onTurn={(by) => edit((before) => turnedFurther(before, by))} />
+        </div>
+      )}
+      <details
+        class={`fold ${css["pairs"]}`}
+        open={pairsOpen.value}
+        onToggle={(event) => {
+          pairsOpen.value = event.currentTarget.open;
+        }}
+      >
+        <summary>Which map becomes which</summary>
+        {pairsOpen.value && <Pairs />}
+      </details>
+    </>
   );
 }

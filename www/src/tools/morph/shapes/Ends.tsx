@@ -11,6 +11,7 @@ import endsCss from "#ui/shapes/ends.module.css";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { asBoth, type End, nameOf, other, swap } from "../changes";
 import { editMaps, endEditing, gallery, PENCILS, takeWhole } from "../dialogs";
+import { keepingPath } from "../locus/path/automatic";
 import { shapes } from "../parts";
 import { changedWord } from "./matched";
 
@@ -21,7 +22,7 @@ export function Ends() {
       <Card end="a" />
       <SwapEnds
         onSwap={() => {
-          edit(swap);
+          keepingPath(() => edit(swap));
           announce(`Swapped: from ${scene.peek().a.name} to ${scene.peek().b.name}.`);
         }}
       />

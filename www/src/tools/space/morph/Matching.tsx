@@ -4,10 +4,11 @@ import { matchWords } from "#format/path-words";
 import { Select } from "#ui/controls/Select";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { Fold } from "#ui/panel/Fold";
+import { HalfTurns } from "#ui/shapes/HalfTurns";
 import type { Mode } from "#wasm/api";
-import { exchanged, flatPairs, inOrder, orderNow, withMode, withOrder } from "./changes";
+import { exchanged, flatPairs, inOrder, orderNow, turnedFurther, withMode, withOrder } from "./changes";
 import css from "./morph3.module.css";
-import { from, morph, nearest } from "./work";
+import { from, halfTurns, morph, nearest } from "./work";
 
 const MODES: readonly { value: Mode; label: string; description: string }[] = [
   { value: "polar", label: "Turned", description: "Polar: turns and stretches of each map go by themselves" },
@@ -65,6 +66,14 @@ export function Matching() {
           {flat.length === 1 ? `Map ${flat[0]} reflects` : `Maps ${flat.join(", ")} reflect`} at one end only:
           on the way {flat.length === 1 ? "it" : "they"} must become flat.
         </p>
+      )}
+      {halfTurns.value.some((turn) => turn !== 0) && (
+        <div class="notes">
+          <HalfTurns
+            other={halfTurns.value}
+            onTurn={(by) => changeSpace((before) => turnedFurther(before, by))}
+          />
+        </div>
       )}
       <Fold title="Map by map" now={matchWords(order, [])}>
         <ol class={css["morph3-order"]}>

@@ -81,6 +81,14 @@ export function withOrder(space: Space, order: readonly number[]): Space {
   );
 }
 
+/** Each map turns by so many whole turns more. */
+export function turnedFurther(space: Space, by: readonly number[]): Space {
+  return changed(space, ({ turns: before = [], ...morph }) => {
+    const turns = by.map((turn, i) => turn + ((before.length === by.length && before[i]) || 0));
+    return replanned(turns.every((turn) => turn === 0) ? morph : { ...morph, turns });
+  });
+}
+
 export function withPath(space: Space, path: SpaceMorph["path"]): Space {
   return changed(space, (morph) => ({
     ...morph,

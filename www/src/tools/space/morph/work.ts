@@ -30,6 +30,13 @@ export const nearest: ReadonlySignal<number[]> = computed(() =>
   goal.value ? solid.correspondence3(from.value, goal.value) : [],
 );
 
+/** For each map that turns by half a turn, the whole turns that make it the other half turn; 0 for all others. */
+export const halfTurns: ReadonlySignal<number[]> = computed(() => {
+  const now = morph.value;
+  if (!now || !goal.value) return [];
+  return solid.halfTurns3(from.value, goal.value, optionsOf(now, from.value.length));
+});
+
 /** What a morph hangs on, as text: it stays the same text while only the moment changes. */
 const asked: ReadonlySignal<string> = computed(() => {
   const now = morph.value;

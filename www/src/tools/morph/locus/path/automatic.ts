@@ -32,6 +32,13 @@ export function adoptPath(): void {
   wished.value = whole && leavesPlane(path.points);
 }
 
+/** Changes from which end the pair is looked at: a path that has settled is the same path from there. */
+export function keepingPath(change: () => void): void {
+  const settled = settledFor.peek() === morph.peek();
+  change();
+  if (settled) settledFor.value = morph.peek();
+}
+
 function apply(plan: PathPlan, inputs: LocusInputs): void {
   const now = scene.peek();
   if (now.path.kind !== "auto" || settledFor.peek() === inputs) return;
