@@ -229,10 +229,18 @@ fn read_morph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Scene, LinkE
         }
         scene.correspondence = letters;
     }
+    let mut turns = Vec::new();
+    let text = get("turns").unwrap_or_default();
+    if !text.is_empty() {
+        for part in text.split(',') {
+            turns.push(part.parse().map_err(|_| damaged("turns", text))?);
+        }
+    }
     // A link that names no shape is about the document that everything begins with, and no old link.
-    let named = get("a").is_some() || get("b").is_some();
-    let counting = if named { counting(&scene) } else { Counting::NONE };
-    scene.turns = read_turns(get("turns"), maps, &counting)?;
+    let named = get("a").or(get("b")).is_some();
+    let counting = if named { counting(&scene) } else { Counting::default() };
+    let fits = turns.is_empty() || turns.len() == maps;
+    scene.turns = counting.of_link(turns).filter(|_| fits).ok_or_else(|| damaged("turns", text))?;
     scene.colouring = choice("colour", get("colour"), &COLOURS)?;
     if let Some(text) = get("palette") {
         scene.palette = read_colours(text, MAX_MAPS).ok_or_else(|| damaged("palette", text))?;
@@ -241,19 +249,11 @@ fn read_morph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Scene, LinkE
     Ok(scene)
 }
 
-/// How links count the turns of a document's morph.
+/// How links count the turns of a document's morph; alike where there is none.
 fn counting(scene: &Scene) -> Counting {
-    let (Ok(a), Ok(b)) = (scene.a.ifs(), scene.b.ifs()) else { return Counting::NONE };
+    let [Ok(a), Ok(b)] = [&scene.a, &scene.b].map(Shape::ifs) else { return Counting::default() };
     let ends = pair(&a, &b);
     Counting::of(&ends.from, &ends.to, &scene.correspondence)
-}
-
-fn read_turns(text: Option<&str>, maps: usize, counting: &Counting) -> Result<Vec<i32>, LinkError> {
-    let turns: Option<Vec<i32>> = text.map_or(Some(Vec::new()), |text| {
-        let turns: Vec<i32> = text.split(',').map(|part| part.parse().ok()).collect::<Option<_>>()?;
-        (turns.len() == maps).then_some(turns)
-    });
-    turns.and_then(|turns| counting.of_link(&turns)).ok_or_else(|| damaged("turns", text.unwrap_or_default()))
 }
 
 fn write_shape(link: &mut String, key: &str, shape: &Shape) {

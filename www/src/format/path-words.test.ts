@@ -3,6 +3,7 @@ import { STATE } from "#geometry/states";
 import {
   bestWords,
   certifiedWords,
+  halfTurnWords,
   listWords,
   matchWords,
   meritWords,
@@ -21,6 +22,14 @@ describe("pathWords", () => {
     expect(pathWords({ states: along([100, connected]), widest: 0 })).toBe(
       "In one piece, proved, at each moment looked at.",
     );
+    // As the frames of the film say it, of which all may be proved: no state is told for another.
+    expect(pathWords({ states: along([49, connected]), widest: 0 })).toBe(
+      "In one piece, proved, at 49% of the moments looked at. The others look whole at 1/600.",
+    );
+    expect(pathWords({ states: along([99, connected]), widest: 0, progress: 0.5 })).toBe(
+      "In one piece, proved, at 99% of the moments looked at so far. The others look whole at 1/600.",
+    );
+    expect(pathWords({ states: along([0, connected]), widest: 0 })).toContain("less than 1%");
     expect(pathWords({ states: along(), widest: 0, proved: true })).toBe(
       "In one piece, proved, all the way.",
     );
@@ -70,7 +79,7 @@ describe("what is proved of a path", () => {
 
   it("gives the bound, the steps and the place where it is weakest", () => {
     expect(certifiedWords(so)).toBe(
-      "At no moment of this path is a gap wider than 0.31% of the shape’s diameter: proved, in 4,212 steps. Narrower ones are not ruled out, above all at 63%.",
+      "No moment of this path has a gap wider than 0.31% of the shape’s diameter: proved, in 4,212 steps. Between the moments looked at, this leaves narrower gaps possible, the widest of them near 63%.",
     );
     expect(certifiedWords({ ...so, gap: 0 })).toBe(
       "In one piece, proved, at every moment of this path, in 4,212 steps.",
@@ -117,6 +126,16 @@ describe("ways to match", () => {
     expect(matchWords([1, 0, 2], [])).toBe("1 becomes 2 and 2 becomes 1");
     expect(matchWords([1, 2, 3, 4, 0], [0, 1, 0, 0, 0])).toBe(
       "5 of 5 maps change partner; one turns further",
+    );
+  });
+
+  it("say which maps could turn the other way round", () => {
+    expect(halfTurnWords([0, 0])).toBeNull();
+    expect(halfTurnWords([0, 1, 0])).toBe(
+      "Map 2 makes exactly half a turn, clockwise. Half a turn counter-clockwise is as short.",
+    );
+    expect(halfTurnWords([-1, 0, 1, 1])).toBe(
+      "Maps 1, 3 and 4 make exactly half a turn, which is as short either way.",
     );
   });
 

@@ -1,4 +1,4 @@
-import { STATE, type Stretch, stretches } from "#geometry/states";
+import { provedPart, STATE, type Stretch, stretches } from "#geometry/states";
 import { formatNumber } from "./numbers";
 import { RESOLUTION, resolutionWords, shareWords, toldOf, verdictWords } from "./verdict";
 
@@ -22,6 +22,21 @@ export function matchWords(correspondence: readonly number[], turns: readonly nu
   const turning = turns.filter((turn) => turn !== 0).length;
   if (turning === 0) return partners;
   return `${partners}; ${turning === 1 ? "one turns" : `${turning} turn`} further`;
+}
+
+/** Which way round a half turn goes that so many whole turns (1 or -1) would make the other one. */
+export const halfTurnWay = (other: number): string => (other > 0 ? "clockwise" : "counter-clockwise");
+
+/** Which maps turn by half a turn, and that there are two of them; `other` as `halfTurns` gives it, null where none does. */
+export function halfTurnWords(other: readonly number[]): string | null {
+  const maps = other.flatMap((turn, i) => (turn === 0 ? [] : [{ number: String(i + 1), turn }]));
+  const [only, ...more] = maps;
+  if (!only) return null;
+  if (more.length === 0) {
+    const [now, then] = [halfTurnWay(only.turn), halfTurnWay(-only.turn)];
+    return `Map ${only.number} makes exactly half a turn, ${now}. Half a turn ${then} is as short.`;
+  }
+  return `Maps ${listWords(maps.map(({ number }) => number))} make exactly half a turn, which is as short either way.`;
 }
 
 /** What a way to match allows: its best path. */
@@ -68,7 +83,7 @@ export function certifiedWords(so: {
   if (!Number.isFinite(so.gap))
     return `It could not be proved all the way: at ${percent(so.worst)} it would take more than ${steps}.`;
   if (so.gap === 0) return `In one piece, proved, at every moment of this path, in ${steps}.`;
-  return `At no moment of this path is a gap wider than ${shareWords(so.gap)} of the shape’s diameter: proved, in ${steps}. Narrower ones are not ruled out, above all at ${percent(so.worst)}.`;
+  return `No moment of this path has a gap wider than ${shareWords(so.gap)} of the shape’s diameter: proved, in ${steps}. Between the moments looked at, this leaves narrower gaps possible, the widest of them near ${percent(so.worst)}.`;
 }
 
 /** What is known where the best path breaks. `apart`: on the samples there is no way that does not. */
@@ -109,12 +124,19 @@ export function pathWords({ states, widest, proved = false, progress = 1 }: Path
   const narrow = wide.length === 0 ? said(STATE.hidden, finer) : [];
   const words = [...wide, ...narrow, ...said(STATE.none, ""), ...said(STATE.undecided, "")];
   if (words.length > 0) return words.join(" ");
-  const whole = proved || Array.from(states).every((state) => state === STATE.connected);
-  const told = toldOf(whole ? STATE.connected : STATE.touching, 0);
+  const [whole, looks] = [STATE.connected, STATE.touching].map(
+    (state) => verdictWords(toldOf(state, 0)).text,
+  );
+  const part = proved ? 1 : (provedPart(states) ?? 0);
+  if (part === 0) return `${looks} all the way${so}.`;
   // Moments are no proof of what lies between them.
-  const where = whole && !proved ? "at each moment looked at" : "all the way";
-  return `${placed(verdictWords(told).text, where)}${so}.`;
+  if (part === 1) return `${whole}, ${proved ? "all the way" : "at each moment looked at"}${so}.`;
+  return `${whole}, at ${partWords(part)} of the moments looked at${so}. The others look whole at ${resolutionWords(RESOLUTION)}.`;
 }
+
+/** A part that is neither nothing nor all, in whole per cents that say neither. */
+export const partWords = (part: number): string =>
+  part < 0.01 ? "less than 1%" : `${Math.min(99, Math.floor(100 * part))}%`;
 
 /** "In pieces, proved, at 50%", "Not decided at 50%" */
 const placed = (text: string, where: string) => `${text}${text.includes(",") ? "," : ""} ${where}`;

@@ -63,14 +63,16 @@ fn directed(m: DMat2, kind: Kind) -> bool {
 
 /// How far it is from one angle to another by the shorter way. Half a turn is as short by either: the difference of the
 /// angles in (-pi, pi] decides, as Burch & Hart (1997, eq 6) print it. Seen from the other end it is the way back.
+///
+/// The angles are less than a turn from 0.
 pub(crate) fn shortest(from: f64, to: f64) -> f64 {
     let difference = principal(to) - principal(from);
-    if is_half(difference) { difference } else { difference - TAU * (difference / TAU).round() }
+    if is_half(difference) { difference } else { principal(difference) }
 }
 
 /// The same angle in (-pi, pi]; pi also where rounding puts it on the other side.
 fn principal(angle: f64) -> f64 {
-    let angle = angle - TAU * (angle / TAU).round();
+    let angle = if angle > PI { angle - TAU } else { angle };
     if angle <= HALF_ERROR - PI { angle + TAU } else { angle }
 }
 

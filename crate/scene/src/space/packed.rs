@@ -294,11 +294,8 @@ pub fn unpack(word: &str) -> Result<Space, PackedError> {
             break;
         }
     }
-    if let Some(mut morph) = space.morph.take() {
-        if !space.objects.is_empty() {
-            let turns = counting(&space, &morph).of_link(&morph.turns);
-            morph.turns = turns.ok_or(MATCHING)?;
-        }
+    if let Some(mut morph) = space.morph.take().filter(|_| !space.objects.is_empty()) {
+        morph.turns = counting(&space, &morph).of_link(morph.turns).ok_or(MATCHING)?;
         space.morph = Some(morph);
     }
     check(&space)?;

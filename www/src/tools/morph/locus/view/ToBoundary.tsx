@@ -8,7 +8,7 @@ import type { Uv } from "#geometry/path";
 import { submit } from "#workers/pool/engine";
 import type { Job } from "#workers/pool/protocol";
 import css from "../field.module.css";
-import { BoundarySearch, directionWords, othersOf, type Side, uniform } from "./boundary";
+import { BoundarySearch, directionWords, othersOf, type Side, sideWords, uniform } from "./boundary";
 import { shownField } from "./shown";
 import { epsilon, family, fly, shownWindow, view } from "./view";
 
@@ -48,7 +48,7 @@ export function ToBoundary() {
   const angle = to === null ? 0 : Math.atan2(to[1] - from[1], to[0] - from[0]);
   return (
     <div class={css["to-boundary"]}>
-      <p>{sideWords(now)}</p>
+      <p>{sideWords(now, epsilon.value)}</p>
       {to !== null && (
         <button
           type="button"
@@ -65,12 +65,6 @@ export function ToBoundary() {
       )}
     </div>
   );
-}
-
-function sideWords({ side: which, proved }: { side: Side; proved: boolean }): string {
-  if (which === "broken") return "All of this is in pieces, proved.";
-  if (proved) return "All of this is in one piece, proved.";
-  return `All of this looks whole at ${resolutionWords(epsilon.value)}.`;
 }
 
 /** Goes to where the way to the nearest other sample first changes sides, as exactly as the window needs. */

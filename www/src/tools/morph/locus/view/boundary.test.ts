@@ -1,7 +1,16 @@
 import { describe, expect, it } from "vitest";
 import type { Uv } from "#geometry/path";
 import { STATE } from "#geometry/states";
-import { BoundarySearch, directionWords, narrowed, othersOf, probes, sideOf, uniform } from "./boundary";
+import {
+  BoundarySearch,
+  directionWords,
+  narrowed,
+  othersOf,
+  probes,
+  sideOf,
+  sideWords,
+  uniform,
+} from "./boundary";
 
 const field = (rows: readonly string[]) => {
   const codes = {
@@ -23,12 +32,23 @@ const field = (rows: readonly string[]) => {
 
 describe("a view of one colour", () => {
   it("is on one side, and proved only where all of it is", () => {
-    expect(uniform(field(["cc", "cc"]))).toEqual({ side: "holds", proved: true });
-    expect(uniform(field(["ct", "cc"]))).toEqual({ side: "holds", proved: false });
-    expect(uniform(field(["dd", "hd"]))).toEqual({ side: "broken", proved: true });
+    expect(uniform(field(["cc", "cc"]))).toEqual({ side: "holds", proved: 1 });
+    expect(uniform(field(["ct", "cc"]))).toEqual({ side: "holds", proved: 0.75 });
+    expect(uniform(field(["dd", "hd"]))).toEqual({ side: "broken", proved: 1 });
     expect(uniform(field(["cd", "cc"]))).toBeNull();
     // What is not known yet is no colour.
     expect(uniform(field(["c.", "cc"]))).toBeNull();
+  });
+
+  it("is told with what part of it is proved", () => {
+    const words = (rows: string[]) =>
+      sideWords(uniform(field(rows)) ?? { side: "unknown", proved: 0 }, 1 / 600);
+    expect(words(["cc", "cc"])).toBe("All of this is in one piece, proved.");
+    expect(words(["ct", "tc"])).toBe(
+      "All of this looks whole at 1/600, and 50% of it is in one piece, proved.",
+    );
+    expect(words(["tt", "tt"])).toBe("All of this looks whole at 1/600.");
+    expect(words(["dd", "hd"])).toBe("All of this is in pieces, proved.");
   });
 
   it("has samples of the other side, the nearest first, up to one that is so however closely one looks", () => {

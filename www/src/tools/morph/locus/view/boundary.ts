@@ -1,7 +1,9 @@
 /** Where what holds ends: the way to it, from where all looks the same. */
 import type { Field } from "#compute/locus/pyramid";
+import { partWords } from "#format/path-words";
+import { resolutionWords } from "#format/verdict";
 import type { Uv } from "#geometry/path";
-import { STATE } from "#geometry/states";
+import { provedPart, STATE } from "#geometry/states";
 import type { Bounds, Locus } from "#wasm/api";
 
 /** What a map says of a sample, as far as colours tell: it holds, it is broken, or neither is known. */
@@ -21,16 +23,20 @@ export function sideOf(state: number | undefined): Side {
   }
 }
 
-/** The one side that all of a field is on, if it is on one, and whether it is proved all over. */
-export function uniform({ state }: Pick<Field, "state">): { side: Side; proved: boolean } | null {
+/** The one side that all of a field is on, if it is on one, and what part of it is proved: all of what is in pieces. */
+export function uniform({ state }: Pick<Field, "state">): { side: Side; proved: number } | null {
   const side = sideOf(state[0]);
   if (side === "unknown") return null;
-  let proved = true;
-  for (const one of state) {
-    if (sideOf(one) !== side) return null;
-    proved &&= one !== STATE.touching;
-  }
-  return { side, proved };
+  for (const one of state) if (sideOf(one) !== side) return null;
+  return { side, proved: provedPart(state) ?? 1 };
+}
+
+/** That side in a sentence: what is proved of it is told apart from what only looks so. */
+export function sideWords({ side, proved }: { side: Side; proved: number }, epsilon: number): string {
+  if (side === "broken") return "All of this is in pieces, proved.";
+  if (proved === 1) return "All of this is in one piece, proved.";
+  const looks = `All of this looks whole at ${resolutionWords(epsilon)}`;
+  return proved === 0 ? `${looks}.` : `${looks}, and ${partWords(proved)} of it is in one piece, proved.`;
 }
 
 /**
