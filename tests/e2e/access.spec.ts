@@ -59,7 +59,7 @@ test("what changes is said aloud", async ({ studio, page }) => {
   await expect(said).toBeEmpty();
   await studio.time.focus();
   for (let i = 0; i < 5; i++) await studio.time.press("PageUp");
-  await expect(said).toHaveText(/^In pieces, proved, gap [\d.]+%$/);
+  await expect(said).toHaveText(/^In pieces, gap [\d.]+%, by Frond’s own bounds$/);
   await studio.time.press("End");
   await expect(said).toHaveText(/^(In one piece, proved|Looks whole at 1\/600)$/);
   await studio.way(1).count();

@@ -9,7 +9,7 @@ const BROKEN = "a=dragon-3&b=gasket&path=straight&t=0.5";
 test("the verdict tells why, and gives the focus back", async ({ studio, page }) => {
   await studio.open(BROKEN);
   await studio.idle();
-  const panel = page.getByRole("region", { name: "In pieces, proved" });
+  const panel = page.getByRole("region", { name: "In pieces", exact: true });
   await expect(panel).toHaveCount(0);
   await studio.verdict.click();
   await expect(studio.verdict).toHaveAttribute("aria-expanded", "true");
@@ -52,17 +52,19 @@ test("a proof of pieces is checked and can be taken away", async ({ studio, page
   // No pixel shows this gap: the words, their reason and the strip speak of it all the same.
   await studio.open("a=terdragon&b=gasket&path=straight&t=0.995");
   await studio.idle();
-  await expect(studio.verdict).toHaveText("In pieces, provedgap 0.056%, finer than 1/600");
+  await expect(studio.verdict).toHaveText("In piecesgap 0.056%, finer than 1/600, by Frond’s own bounds");
   await expect(studio.time).toHaveAttribute(
     "aria-valuetext",
-    /in pieces, proved, gap 0\.056%, finer than 1\/600$/,
+    /in pieces, gap 0\.056%, finer than 1\/600, by Frond’s own bounds$/,
   );
   await studio.verdict.click();
-  const panel = page.getByRole("region", { name: "In pieces, proved" });
+  const panel = page.getByRole("region", { name: /^In pieces/ });
   await expect(panel).toContainText("narrower than 1/600 of the diameter");
   await expect(panel).toContainText("Widest gap 0.056% of the diameter");
   await page.getByRole("button", { name: "Check the proof" }).click();
   await expect(page.getByText(/^Checked in exact arithmetic: [\d,]+ pairs? of pieces/)).toBeVisible();
+  // Only now is it called proved.
+  await expect(studio.verdict).toHaveText("In pieces, provedgap 0.056%, finer than 1/600");
   const coming = page.waitForEvent("download");
   await page.getByRole("button", { name: "Download the proof" }).click();
   const download = await coming;

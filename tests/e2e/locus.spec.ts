@@ -133,7 +133,7 @@ test("a point of the map is looked at and taken, and there are ways back", async
     const { x, y } = await studio.place(1.8, 0.2);
     await page.mouse.move(x, y);
     await expect(card).toBeVisible();
-    await expect(card).toContainText(/In pieces, proved, gap [\d.]+%.*u 1\.80 {2}v 0\.20/);
+    await expect(card).toContainText(/In pieces, gap [\d.]+%, by Frond’s own bounds.*u 1\.80 {2}v 0\.20/);
     await page.mouse.move(10, 300);
     await expect(card).toBeHidden();
     // Nothing was taken.

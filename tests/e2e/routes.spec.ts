@@ -15,7 +15,7 @@ test("a way point says where the path breaks, and takes a third number", async (
   await studio.idle();
   await studio.way(1).focus();
   await expect(page.locator(".way-point legend")).toHaveText(
-    /Way point 1 of 1 in pieces, proved, gap [\d.]+%, breaks on the way to it/,
+    /Way point 1 of 1 in pieces, gap [\d.]+%, by Frond’s own bounds, breaks on the way to it/,
   );
   const w = page.getByRole("spinbutton", { name: "stretch ahead, w" });
   await expect(w).toHaveCount(0);
@@ -78,7 +78,7 @@ test("where the plane has no path, the third parameter has one", async ({ studio
   await studio.open("a=gasket&b=terdragon-mirrored");
   await studio.idle();
   const words = page.locator(".path-verdict");
-  await expect(words).toHaveText(/^In pieces, proved, /);
+  await expect(words).toHaveText(/^In pieces between /);
   await expect(page.locator(".worst-mark")).toBeAttached();
   const third = page.getByRole("switch", { name: /third parameter/ });
   await third.check();
@@ -86,5 +86,5 @@ test("where the plane has no path, the third parameter has one", async ({ studio
   const { points } = (await studio.scene()).path;
   expect(points.some(([, , w = 0]) => w !== 0)).toBe(true);
   await third.uncheck();
-  await expect(words).toHaveText(/^In pieces, proved, /);
+  await expect(words).toHaveText(/^In pieces between /);
 });

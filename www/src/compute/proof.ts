@@ -2,7 +2,7 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { shown } from "#document/morph";
 import { wordsOf } from "#document/notice";
-import { RESOLUTION } from "#format/verdict";
+import { RESOLUTION, type Told } from "#format/verdict";
 import type { Certificate, CertificateCheck, ConnectedCertificate, MapRow } from "#wasm/api";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import { single } from "#workers/pool/protocol";
@@ -26,6 +26,14 @@ const latest = signal<Proof | null>(null);
 export const proof: ReadonlySignal<Proof | null> = computed(() =>
   latest.value?.maps === shown.value ? latest.value : null,
 );
+
+/** What is known of the shape on the stage, and whether the checker took a certificate of it. */
+export const told: ReadonlySignal<Told | null> = computed(() => {
+  const now = verdict.value;
+  const found = proof.value;
+  if (!now || now.stale || found?.state !== "there" || !found.check.valid) return now?.connectedness ?? null;
+  return { ...now.connectedness, checked: true };
+});
 
 /** Makes the proof and has it checked. */
 export function prove(): void {

@@ -24,7 +24,8 @@ it("says of a way what is known by now, and that the search has ended", () => {
   expect(say(null)).toMatch(/^Looking for a proof/);
   expect(say(null, null, true)).toMatch(/^No proof/);
   // A moment in pieces is told at once, whatever is still looked for.
-  for (const now of [say(null, 0.5), say(open, 0.5)]) expect(now).toMatch(/at 50% it is in pieces, proved/);
+  for (const now of [say(null, 0.5), say(open, 0.5)])
+    expect(now).toMatch(/at 50% it is in pieces, by Frond’s own bounds/);
   expect(say(open)).toMatch(/lost at 3%/);
   expect(say(proof({ kind: "connected" }))).toMatch(/in one piece at every moment of the way, proved:/);
   // Gaps that are finer than what was asked about do not make it false.

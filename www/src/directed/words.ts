@@ -1,6 +1,6 @@
 /** What is said of graph-directed shapes. */
 import { percent } from "#format/path-words";
-import { resolutionWords } from "#format/verdict";
+import { OWN_BOUNDS, resolutionWords } from "#format/verdict";
 import type { DirectedCertificate, DirectedIfs } from "#wasm/api";
 
 /** How much a shape is made of: "2 states, 7 maps". A system of maps has one state, of which nothing is said. */
@@ -33,7 +33,8 @@ export function wayWords({ proof, apart, ended }: WayKnown): string {
   if (first?.kind === "within") {
     return `At every moment of the way its pieces, and theirs, are held together by gaps of at most ${resolutionWords(first.gap)} of their size. This was found at ${proof?.moments} moments, with bounds of what changes between them.`;
   }
-  if (apart !== null) return `It falls apart on this way: at ${percent(apart)} it is in pieces, proved.`;
+  if (apart !== null)
+    return `It falls apart on this way: at ${percent(apart)} it is in pieces, ${OWN_BOUNDS}.`;
   if (first?.kind === "open") {
     return `There is no proof that it stays in one piece all the way: what was looked for is lost at ${percent(first.at)}.`;
   }

@@ -38,15 +38,15 @@ describe("pathWords", () => {
   });
   it("says where it is in pieces and how wide the gap is", () => {
     expect(pathWords({ states: along([61, touching], [80, disconnected]), widest: 0.03 })).toBe(
-      "In pieces, proved, between 62% and 81%, widest gap 3%.",
+      "In pieces between 62% and 81%, widest gap 3%, by Frond’s own bounds.",
     );
   });
   it("says so too where no pixel shows it", () => {
     const words = pathWords({ states: along([89, touching], [95, hidden]), widest: 0.0015 });
-    expect(words).toBe("In pieces, proved, between 90% and 96%, gap 0.15%, finer than 1/600.");
+    expect(words).toBe("In pieces between 90% and 96%, gap 0.15%, finer than 1/600, by Frond’s own bounds.");
     // Read off the map, how wide it is is not known: it is not 0.
     expect(pathWords({ states: along([89, touching], [95, hidden]), widest: 0, progress: 0.9 })).toBe(
-      "In pieces, proved, between 90% and 96% so far, by a gap finer than 1/600.",
+      "In pieces between 90% and 96% so far, by a gap finer than 1/600, by Frond’s own bounds.",
     );
     // Beside gaps that are seen, not.
     const both = along([20, touching], [30, disconnected], [89, touching], [95, hidden]);
@@ -61,7 +61,7 @@ describe("pathWords", () => {
   it("counts where there are many", () => {
     const states = Array.from({ length: 101 }, (_, i) => (i % 20 < 10 ? disconnected : touching));
     expect(pathWords({ states, widest: 0.2 })).toBe(
-      "In pieces, proved, between 0% and 10%, between 20% and 30% and in 4 more places, widest gap 20%.",
+      "In pieces between 0% and 10%, between 20% and 30% and in 4 more places, widest gap 20%, by Frond’s own bounds.",
     );
   });
 });

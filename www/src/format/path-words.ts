@@ -1,6 +1,6 @@
 import { provedPart, STATE, type Stretch, stretches } from "#geometry/states";
 import { formatNumber } from "./numbers";
-import { RESOLUTION, resolutionWords, shareWords, toldOf, verdictWords } from "./verdict";
+import { OWN_BOUNDS, RESOLUTION, resolutionWords, shareWords, toldOf, verdictWords } from "./verdict";
 
 export const percent = (t: number): string => `${Math.round(100 * t)}%`;
 
@@ -115,13 +115,13 @@ export function pathWords({ states, widest, proved = false, progress = 1 }: Path
     const told = toldOf(about, widest);
     return where === "" || told === null ? [] : [`${placed(verdictWords(told).text, where)}${so}${gap}.`];
   };
-  const wide = said(STATE.disconnected, `, widest gap ${shareWords(widest)}`);
+  const wide = said(STATE.disconnected, `, widest gap ${shareWords(widest)}, ${OWN_BOUNDS}`);
   // Where wider gaps are told of, those that nobody sees are not worth a sentence.
   const least = resolutionWords(RESOLUTION);
   // Of what is read off the map only that much is known.
   const finer =
     widest > 0 ? `, gap ${shareWords(widest)}, finer than ${least}` : `, by a gap finer than ${least}`;
-  const narrow = wide.length === 0 ? said(STATE.hidden, finer) : [];
+  const narrow = wide.length === 0 ? said(STATE.hidden, `${finer}, ${OWN_BOUNDS}`) : [];
   const words = [...wide, ...narrow, ...said(STATE.none, ""), ...said(STATE.undecided, "")];
   if (words.length > 0) return words.join(" ");
   const [whole, looks] = [STATE.connected, STATE.touching].map(
@@ -138,8 +138,8 @@ export function pathWords({ states, widest, proved = false, progress = 1 }: Path
 export const partWords = (part: number): string =>
   part < 0.01 ? "less than 1%" : `${Math.min(99, Math.floor(100 * part))}%`;
 
-/** "In pieces, proved, at 50%", "Not decided at 50%" */
-const placed = (text: string, where: string) => `${text}${text.includes(",") ? "," : ""} ${where}`;
+/** "In pieces at 50%", "Not decided at 50%" */
+const placed = (text: string, where: string) => `${text} ${where}`;
 
 /** "between 62% and 80%", "at 50%"; two places of many, and how many more there are. */
 function whereWords(found: readonly Stretch[]): string {

@@ -81,20 +81,28 @@ describe("verdictWords", () => {
   it("has one wording for each of four verdicts, and one for no attractor", () => {
     expect(verdictLine(told("connected"))).toBe("In one piece, proved");
     expect(verdictLine(told("touching"))).toBe("Looks whole at 1/600");
-    expect(verdictLine(told("disconnected", 0.062))).toBe("In pieces, proved, gap 3.1%");
+    expect(verdictLine(told("disconnected", 0.062))).toBe("In pieces, gap 3.1%, by Frond’s own bounds");
     expect(verdictWords(told("undecided")).text).toBe("Not decided");
     expect(verdictWords(told("no-attractor")).text).toBe("No attractor");
     expect(verdictWords(null).text).toBe("Looking …");
-    expect(verdictPhrase(told("disconnected", 0.062))).toBe("in pieces, proved, gap 3.1%");
+    expect(verdictPhrase(told("disconnected", 0.062))).toBe("in pieces, gap 3.1%, by Frond’s own bounds");
   });
 
   it("says that a shape is in pieces also where no pixel shows it", () => {
     expect(verdictWords(told("disconnected", 0.002))).toEqual({
       tone: "broken",
-      text: "In pieces, proved",
-      aside: "gap 0.1%, finer than 1/600",
+      text: "In pieces",
+      aside: "gap 0.1%, finer than 1/600, by Frond’s own bounds",
     });
-    expect(verdictLine(told("disconnected", 0.002), 1 / 4800)).toBe("In pieces, proved, gap 0.1%");
+    expect(verdictLine(told("disconnected", 0.002), 1 / 4800)).toBe(
+      "In pieces, gap 0.1%, by Frond’s own bounds",
+    );
+  });
+
+  it("calls pieces proved only where a checker took the certificate", () => {
+    expect(verdictLine(told("disconnected", 0.062))).not.toContain("proved");
+    const checked = { ...told("disconnected", 0.062), checked: true };
+    expect(verdictLine(checked)).toBe("In pieces, proved, gap 3.1%");
   });
 
   it("tells the resolution that it was looked at with", () => {
@@ -112,13 +120,13 @@ describe("verdictWords", () => {
     expect(states).toEqual([
       "in one piece, proved",
       "looks whole at 1/600",
-      "in pieces, proved, gap 0.1%, finer than 1/600",
+      "in pieces, gap 0.1%, finer than 1/600, by Frond’s own bounds",
       "not decided, it would take too long to tell",
       "no attractor, the maps do not contract together",
-      "in pieces, proved, gap 0.1%, finer than 1/600",
+      "in pieces, gap 0.1%, finer than 1/600, by Frond’s own bounds",
     ]);
     expect(toldOf(255, 0)).toBeNull();
-    expect(verdictPhrase(toldOf(2, Math.fround(0.1)))).toBe("in pieces, proved, gap 10%");
+    expect(verdictPhrase(toldOf(2, Math.fround(0.1)))).toBe("in pieces, gap 10%, by Frond’s own bounds");
     expect([0, 1, 3, 4].map((state) => stateOf(toldOf(state, 0) as Told))).toEqual([0, 1, 3, 4]);
     expect([0.001, 0.1].map((gap) => stateOf(toldOf(2, gap) as Told))).toEqual([5, 2]);
   });

@@ -75,7 +75,10 @@ export function shareWords(share: number): string {
 export const RESOLUTION = 1 / 600;
 
 /** What a verdict is told from. */
-export type Told = Pick<Connectedness, "verdict" | "gap" | "diameter">;
+export type Told = Pick<Connectedness, "verdict" | "gap" | "diameter"> & {
+  /** Whether a checker has taken a certificate of it. */
+  checked?: boolean;
+};
 
 export interface VerdictWords {
   /** One of four: a state is never told by colour alone. */
@@ -84,9 +87,12 @@ export interface VerdictWords {
   aside: string;
 }
 
+/** What stands behind a gap that no checker has looked at. */
+export const OWN_BOUNDS = "by Frond’s own bounds";
+
 /**
  * What is known of a shape, of the plane or of space, in the words of the whole page; null while it is not known. Only
- * a proof is said to be one. `epsilon` is what it was looked at with.
+ * a proof is said to be one, and that a shape is in pieces only where a checker has taken the proof. `epsilon` is what it was looked at with.
  */
 export function verdictWords(answer: Told | null, epsilon = RESOLUTION): VerdictWords {
   switch (answer?.verdict) {
@@ -98,7 +104,10 @@ export function verdictWords(answer: Told | null, epsilon = RESOLUTION): Verdict
       const share = shareOf(answer);
       const hidden = stateOf(answer, epsilon) === STATE.hidden;
       const finer = hidden ? `, finer than ${resolutionWords(epsilon)}` : "";
-      return { tone: "broken", text: "In pieces, proved", aside: `gap ${shareWords(share)}${finer}` };
+      const gap = `gap ${shareWords(share)}${finer}`;
+      return answer.checked
+        ? { tone: "broken", text: "In pieces, proved", aside: gap }
+        : { tone: "broken", text: "In pieces", aside: `${gap}, ${OWN_BOUNDS}` };
     }
     case "undecided":
       return { tone: "unknown", text: "Not decided", aside: "it would take too long to tell" };
@@ -117,7 +126,7 @@ export function verdictLine(answer: Told | null, epsilon = RESOLUTION): string {
   return lineOf(verdictWords(answer, epsilon));
 }
 
-/** The same within a sentence: "in pieces, proved, gap 3.1%". */
+/** The same within a sentence: "in pieces, gap 3.1%, by Frond’s own bounds". */
 export function verdictPhrase(answer: Told | null, epsilon = RESOLUTION): string {
   return phraseOf(verdictWords(answer, epsilon));
 }

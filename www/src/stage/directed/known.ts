@@ -4,7 +4,14 @@ import { standInFilm } from "#compute/results";
 import { directedMoment, directedWay } from "#document/directed/directed";
 import { wordsOf } from "#document/notice";
 import { CURVES, standInWords } from "#document/stand-in";
-import { phraseOf, RESOLUTION, type Told, type VerdictWords, verdictWords } from "#format/verdict";
+import {
+  OWN_BOUNDS,
+  phraseOf,
+  RESOLUTION,
+  type Told,
+  type VerdictWords,
+  verdictWords,
+} from "#format/verdict";
 import type { DirectedCertificate, DirectedMatch } from "#wasm/api";
 import { toError } from "#wasm/error";
 import { directedTask } from "#workers/directed/client";
@@ -84,7 +91,7 @@ export const toldNow: ReadonlySignal<Told | null> = computed(() =>
 export const wordsNow: ReadonlySignal<VerdictWords> = computed(() => {
   const words = verdictWords(toldNow.value);
   return toldNow.value?.verdict === "undecided" && partApart.value
-    ? { ...words, aside: "a part of it is in pieces, proved" }
+    ? { ...words, aside: `a part of it is in pieces, ${OWN_BOUNDS}` }
     : words;
 });
 

@@ -1,4 +1,5 @@
 import { computed } from "@preact/signals";
+import { told } from "#compute/proof";
 import { verdict } from "#compute/results";
 import { playing } from "#document/playback";
 import { type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
@@ -6,14 +7,12 @@ import { useSaidAtRest } from "#stage/evidence/aloud";
 import { VerdictChip } from "#stage/evidence/Chip";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 
-const words = computed<VerdictWords>(() =>
-  verdictWords(verdict.value?.connectedness ?? null, verdict.value?.epsilon),
-);
+const words = computed<VerdictWords>(() => verdictWords(told.value, verdict.value?.epsilon));
 
 /** What holds for the picture on the stage, in words; pressed, it tells why. */
 export function MorphChip() {
   useSaidAtRest(() => ({
-    text: verdict.value ? verdictLine(verdict.value.connectedness, verdict.value.epsilon) : "",
+    text: verdict.value ? verdictLine(told.value, verdict.value.epsilon) : "",
     moving: playing.value || verdict.value?.stale !== false,
   }));
   const stale = verdict.value?.stale ?? false;

@@ -104,7 +104,7 @@ export function Page(heading: Heading) {
 
 function Answer({ last, r }: { last: Round | undefined; r: number }) {
   if (last?.apart) {
-    return <Chip tone="broken" text="In pieces, proved" aside={`by iteration ${last.n + 1}`} />;
+    return <Chip tone="broken" text="In pieces" aside={`by the bounds of iteration ${last.n + 1}`} />;
   }
   const done = (last?.n ?? -1) + 1;
   return (

@@ -197,8 +197,12 @@ function Never() {
         <Segmented label="Scale r" options={SCALES} value={scale} onChange={setScale} />
         <Chip
           tone={apart ? "broken" : "unknown"}
-          text={apart ? "In pieces, proved" : "Nothing proved"}
-          aside={apart ? `at n = ${rounds.at(-1)?.n}` : `after ${MOST_ROUNDS} steps, nor ever`}
+          text={apart ? "In pieces" : "Nothing proved"}
+          aside={
+            apart
+              ? `by the bounds of the test, at n = ${rounds.at(-1)?.n}`
+              : `after ${MOST_ROUNDS} steps, nor ever`
+          }
         />
         <p>
           At ½ the pieces meet, and the two curves fall side by side for ever. The test can only say “apart”

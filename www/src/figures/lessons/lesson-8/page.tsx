@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 import type { LocusResult } from "#compute/results";
 import { fixed } from "#format/numbers";
-import { verdictPhrase } from "#format/verdict";
+import { OWN_BOUNDS, verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { Button } from "#ui/controls/Button";
 import type { Connectedness } from "#wasm/api";
@@ -169,7 +169,7 @@ function foundWords(answer: Connectedness | undefined): string {
     case "touching":
       return `it ${verdictPhrase(answer, EXACT)}`;
     case "disconnected":
-      return "it is dust: in pieces, proved";
+      return `it is dust: in pieces, ${OWN_BOUNDS}`;
     default:
       return "nobody knows";
   }

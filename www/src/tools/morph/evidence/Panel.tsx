@@ -1,3 +1,4 @@
+import { told } from "#compute/proof";
 import { verdict } from "#compute/results";
 import { pieceColours } from "#document/colours";
 import { boxOf } from "#document/framing";
@@ -29,7 +30,7 @@ export function MorphEvidence() {
     <EvidencePanel
       id={PANEL_ID}
       chip={CHIP_ID}
-      title={verdictWords(answer?.connectedness ?? null, answer?.epsilon).text}
+      title={verdictWords(told.value, answer?.epsilon).text}
       stale={answer?.stale ?? false}
     >
       {answer && <Account answer={answer.connectedness} epsilon={answer.epsilon} />}
@@ -74,7 +75,7 @@ async function saveDrawing(answer: Connectedness, epsilon: number): Promise<void
     const { evidenceDrawing } = await import("./drawing");
     const gap = answer.closest && answer.verdict === "disconnected" ? answer.closest : null;
     const text = evidenceDrawing({
-      title: `${name}: ${verdictWords(answer, epsilon).text}`,
+      title: `${name}: ${verdictWords(told.peek(), epsilon).text}`,
       words: [accountOf(answer, epsilon), answer.reason?.text ?? ""].join(" ").trim(),
       maps,
       hull: frond.bounds({ maps }).hull,

@@ -55,7 +55,7 @@ const LOOKS: Readonly<Record<number, Look>> = {
   [STATE.hidden]: { words: "In pieces, by a gap too narrow to be seen", fill: rgb(HIDDEN), over: "stripes" },
   [STATE.undecided]: { words: "Not decided", fill: rgb(UNDECIDED), over: "specks" },
   [STATE.none]: { words: "No attractor", fill: rgb(NONE), over: "cross" },
-  [STATE.disconnected]: { words: "In pieces, proved", fill: rgb(BROKEN) },
+  [STATE.disconnected]: { words: "In pieces, by Frond’s own bounds", fill: rgb(BROKEN) },
 };
 
 const PATTERNS = [
@@ -149,7 +149,7 @@ function areasOf({ field, style, epsilon }: NonNullable<MapDrawing["areas"]>, wi
 
 function lookOf(one: number): Look | undefined {
   if (one < SHADE || one >= SHADE + SHADES) return LOOKS[one];
-  return { words: "In pieces, proved", fill: rgb(ramp((one - SHADE + 0.5) / SHADES)) };
+  return { words: "In pieces, by Frond’s own bounds", fill: rgb(ramp((one - SHADE + 0.5) / SHADES)) };
 }
 
 /** Where the corner of a cell lies on the square: samples are in the middle of cells, the outermost on its edges. */

@@ -48,7 +48,7 @@ describe("a view of one colour", () => {
       "All of this looks whole at 1/600, and 50% of it is in one piece, proved.",
     );
     expect(words(["tt", "tt"])).toBe("All of this looks whole at 1/600.");
-    expect(words(["dd", "hd"])).toBe("All of this is in pieces, proved.");
+    expect(words(["dd", "hd"])).toBe("All of this is in pieces, by Frond’s own bounds.");
   });
 
   it("has samples of the other side, the nearest first, up to one that is so however closely one looks", () => {

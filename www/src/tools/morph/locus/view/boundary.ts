@@ -1,7 +1,7 @@
 /** Where what holds ends: the way to it, from where all looks the same. */
 import type { Field } from "#compute/locus/pyramid";
 import { partWords } from "#format/path-words";
-import { resolutionWords } from "#format/verdict";
+import { OWN_BOUNDS, resolutionWords } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { provedPart, STATE } from "#geometry/states";
 import type { Bounds, Locus } from "#wasm/api";
@@ -33,7 +33,7 @@ export function uniform({ state }: Pick<Field, "state">): { side: Side; proved: 
 
 /** That side in a sentence: what is proved of it is told apart from what only looks so. */
 export function sideWords({ side, proved }: { side: Side; proved: number }, epsilon: number): string {
-  if (side === "broken") return "All of this is in pieces, proved.";
+  if (side === "broken") return `All of this is in pieces, ${OWN_BOUNDS}.`;
   if (proved === 1) return "All of this is in one piece, proved.";
   const looks = `All of this looks whole at ${resolutionWords(epsilon)}`;
   return proved === 0 ? `${looks}.` : `${looks}, and ${partWords(proved)} of it is in one piece, proved.`;
