@@ -82,7 +82,7 @@ test("where the plane has no path, the third parameter has one", async ({ studio
   await expect(page.locator(".worst-mark")).toBeAttached();
   const third = page.getByRole("switch", { name: /third parameter/ });
   await third.check();
-  await expect(words).toHaveText(/all the way\./);
+  await expect(words).toHaveText(/all the way\.|moments looked at\./);
   const { points } = (await studio.scene()).path;
   expect(points.some(([, , w = 0]) => w !== 0)).toBe(true);
   await third.uncheck();

@@ -99,7 +99,7 @@ pub use linear::transform::TransformError;
 pub use morph::along::along;
 pub use morph::correspondence2::{Candidate, candidates};
 pub use morph::interpolation::{Morph, Morph3};
-pub use morph::options::{Kind, Mode, MorphError, MorphOptions};
+pub use morph::options::{HalfTurns, Kind, Mode, MorphError, MorphOptions};
 pub use morph::pairing::{Pairing, pair, probabilities_between};
 pub use morph::route::{Route, RouteKind, routes};
 pub use morph::turn3::Turn3;

@@ -1,8 +1,8 @@
 //! Graph-directed systems: exact answers, systems of one state, and graphs that are none.
 
 use frond_core::{
-    Affine2, ChaosGame, DirectedError, DirectedGame, DirectedIfs, DirectedMap, DirectedMorph, Hull, Ifs,
-    MAX_STATES, Mode, adaptive_cut, directed_cut, directed_dimension, similarity_dimension,
+    Affine2, ChaosGame, DirectedError, DirectedGame, DirectedIfs, DirectedMap, DirectedMorph, HalfTurns,
+    Hull, Ifs, MAX_STATES, Mode, adaptive_cut, directed_cut, directed_dimension, similarity_dimension,
 };
 use glam::DVec2;
 use proptest::prelude::*;
@@ -262,6 +262,31 @@ fn a_morph_goes_from_one_graph_to_another_and_leaves_both_shapes_as_they_are() {
     }
     let same = DirectedMorph::new(&systems[1], &systems[1], Mode::Linear).unwrap();
     assert_eq!(same.at(0.3, 0.7), systems[1].states());
+}
+
+/// A square turned by half a turn: eq 6 of Burch & Hart goes from 180 to 0 degrees by 90, and back the same way.
+#[test]
+fn half_turns_go_by_signs_or_all_one_way() {
+    let turned = |degrees: f64| {
+        let at = |x: f64, y: f64| Affine2::similitude(0.5, degrees.to_radians(), DVec2::new(x, y));
+        DirectedIfs::new(vec![vec![part(0, at(0.0, 0.0)), part(0, at(0.5, 0.5))]]).unwrap()
+    };
+    let (down, up) = (turned(180.0), turned(0.0));
+    let halfway = |from: &DirectedIfs, to: &DirectedIfs, half: HalfTurns| {
+        let morph = DirectedMorph::turning(from, to, Mode::Polar, half).unwrap();
+        assert_eq!(morph.half_turns(), 2);
+        let x = morph.at(0.5, 0.5)[0][0].map.linear.x_axis;
+        x.y.atan2(x.x).to_degrees().round()
+    };
+    for (half, there, back) in [
+        (HalfTurns::Signs, 90.0, 90.0),
+        (HalfTurns::CounterClockwise, -90.0, 90.0),
+        (HalfTurns::Clockwise, 90.0, -90.0),
+    ] {
+        assert_eq!((halfway(&down, &up, half), halfway(&up, &down, half)), (there, back), "{half:?}");
+    }
+    let still = DirectedMorph::turning(&down, &up, Mode::Linear, HalfTurns::Clockwise).unwrap();
+    assert_eq!((still.half_turns(), still), (0, DirectedMorph::new(&down, &up, Mode::Linear).unwrap()));
 }
 
 #[test]

@@ -20,6 +20,53 @@ fn line(from: usize, scale: f64, x: f64) -> DirectedMap {
     part(from, Affine2::similitude(scale, 0.0, DVec2::new(x, 0.0)))
 }
 
+/// States of a morph by their names, each with its maps in an order of their own: what does not hang on how states and
+/// maps are numbered.
+fn unnumbered(morph: &DirectedMorph, [u, v]: [f64; 2], swapped: bool) -> Vec<((usize, usize), Vec<String>)> {
+    let name = |&(i, j): &(usize, usize)| if swapped { (j, i) } else { (i, j) };
+    let names: Vec<_> = morph.states().iter().map(name).collect();
+    let state = |maps: &Vec<DirectedMap>| {
+        let told = |part: &DirectedMap| {
+            let row = part.map.to_row().map(|x| (x * 1e6).round() / 1e6 + 0.0);
+            format!("{:?} {row:?}", names[part.from])
+        };
+        let mut maps: Vec<String> = maps.iter().map(told).collect();
+        maps.sort();
+        maps
+    };
+    let mut states: Vec<_> = names.iter().copied().zip(morph.at(u, v).iter().map(state)).collect();
+    states.sort();
+    states
+}
+
+#[test]
+fn from_the_other_end_a_morph_of_the_gallery_runs_backwards() {
+    let presets = directed_presets();
+    let system = |states: &Vec<Vec<DirectedMap>>| DirectedIfs::new(states.clone()).unwrap();
+    let (mut alike, mut differ) = (0, Vec::new());
+    for (i, a) in presets.iter().enumerate() {
+        for b in &presets[i + 1..] {
+            for mode in [Mode::Polar, Mode::Linear] {
+                let (from, to) = (system(&a.states), system(&b.states));
+                let Ok(there) = DirectedMorph::new(&from, &to, mode) else { continue };
+                let back = DirectedMorph::new(&to, &from, mode).unwrap();
+                let same = |u: f64, v: f64| {
+                    unnumbered(&there, [u, v], false) == unnumbered(&back, [1.0 - u, 1.0 - v], true)
+                };
+                // Graphs that are matched in another way from the other end have another morph.
+                if !same(0.0, 1.0) {
+                    continue;
+                }
+                alike += 1;
+                if !same(0.3, 0.6) {
+                    differ.push((a.id, b.id, mode));
+                }
+            }
+        }
+    }
+    assert!(differ.is_empty() && alike > 50, "{alike} {differ:?}");
+}
+
 fn preset(id: &str) -> DirectedIfs {
     let found = directed_presets().into_iter().find(|preset| preset.id == id).unwrap();
     DirectedIfs::new(found.states).unwrap()

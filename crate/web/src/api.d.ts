@@ -147,6 +147,12 @@ export interface CertificateCheck {
 
 export type Mode = "polar" | "linear";
 
+/**
+ * Which way maps go that turn by half a turn, which is as short either way: by the signs of the angles, as eq 6 of Burch
+ * & Hart (1997) has it, or all of them one way. Default: `signs`.
+ */
+export type HalfTurns = "signs" | "counterclockwise" | "clockwise";
+
 export interface MorphOptions {
   mode?: Mode;
   /** `correspondence[i]` is the map of `to` that map i of `from` becomes. Default: the same index. */
@@ -371,7 +377,7 @@ export interface Scene {
   /** Present: the morph and the deformation work on these closed curves, in place of `a` and `b`. */
   curves?: { a: CurveShape; b: CurveShape };
   /** Present, and no curves: the morph works on these graph-directed shapes, in place of `a` and `b`. */
-  directed?: { a: DirectedShape; b: DirectedShape };
+  directed?: { a: DirectedShape; b: DirectedShape; halfTurns?: HalfTurns };
   /** How an outline or a graph was fitted last. */
   fit?: Fit;
   /** What there is in space. Absent: what the tool begins with. */
@@ -729,6 +735,8 @@ export interface StateConnectedness {
 export interface DirectedMatch {
   states: [number, number][];
   steps: string[];
+  /** How many maps turn by half a turn, which is as short either way. */
+  halfTurns: number;
 }
 
 /** What was shown of every moment of a way. */

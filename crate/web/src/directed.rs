@@ -4,7 +4,7 @@ mod grid;
 mod locus;
 
 use frond_core::{
-    Affine2, DirectedError, DirectedGame, DirectedIfs, DirectedMap, DirectedMorph, Hull, MAX_MAPS,
+    Affine2, DirectedError, DirectedGame, DirectedIfs, DirectedMap, DirectedMorph, HalfTurns, Hull, MAX_MAPS,
     MAX_STATES, MOST_FOUND_STATES, Mode, directed_dimension,
 };
 use frond_fit::{ClosedCurve, MAX_KNOTS, PackError};
@@ -286,6 +286,8 @@ pub fn directed_connectedness(
 struct PlainMorph {
     #[serde(default)]
     mode: Mode,
+    #[serde(default, rename = "halfTurns")]
+    half_turns: HalfTurns,
     #[serde(default)]
     u: f64,
     #[serde(default)]
@@ -301,7 +303,7 @@ fn read_morph(
 ) -> Result<(DirectedMorph, PlainMorph), JsValue> {
     let (from, to) = (read_system(from)?, read_system(to)?);
     let plain: PlainMorph = read("The options", options)?;
-    let morph = DirectedMorph::new(&from, &to, plain.mode);
+    let morph = DirectedMorph::turning(&from, &to, plain.mode, plain.half_turns);
     Ok((morph.map_err(|error| failure(error.code(), &error.to_string()))?, plain))
 }
 
@@ -313,7 +315,11 @@ pub fn match_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] to: JsValue,
 ) -> Result<JsValue, JsValue> {
     let (morph, _) = read_morph(&from, &to, JsValue::UNDEFINED)?;
-    Ok(object(&[("states", write(&morph.states())?), ("steps", write(&morph.steps())?)]))
+    Ok(object(&[
+        ("states", write(&morph.states())?),
+        ("steps", write(&morph.steps())?),
+        ("halfTurns", (morph.half_turns() as f64).into()),
+    ]))
 }
 
 /// The graph-directed system at (u, v) between two, whose graphs are matched (Burch & Hart 1997, eq 6 and section 7.1).
@@ -322,7 +328,7 @@ pub fn match_directed(
 pub fn interpolate_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] to: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ u: number; v: number; mode?: 'polar' | 'linear' }")]
+    #[wasm_bindgen(unchecked_param_type = "{ u: number; v: number; mode?: Mode; halfTurns?: HalfTurns }")]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let (morph, PlainMorph { u, v, .. }) = read_morph(&from, &to, options)?;
@@ -336,7 +342,7 @@ pub fn certify_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] to: JsValue,
     #[wasm_bindgen(
-        unchecked_param_type = "{ mode?: 'polar' | 'linear'; epsilon?: number; moments?: number }"
+        unchecked_param_type = "{ mode?: Mode; halfTurns?: HalfTurns; epsilon?: number; moments?: number }"
     )]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {

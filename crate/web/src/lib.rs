@@ -126,7 +126,7 @@ const EXCHANGE_TYPES: &str =
 #[wasm_bindgen(typescript_custom_section)]
 const DIRECTED_TYPES: &str = r#"import type {
   Bounds, Curve, DigitSystem, DirectedCertificate, DirectedFacts, DirectedIfs, DirectedMatch, DirectedPreset,
-  DirectedRasterOptions, DirectedShape, GridIntersection, PointCloud, StateConnectedness
+  DirectedRasterOptions, DirectedShape, GridIntersection, HalfTurns, Mode, PointCloud, StateConnectedness
 } from "./frond.js";"#;
 
 /// So do closed curves and graphs.

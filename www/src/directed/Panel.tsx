@@ -1,6 +1,13 @@
 import { computed } from "@preact/signals";
 import { useState } from "preact/hooks";
-import { directedAtBoth, type End, sameDirected, setStates, swapDirected } from "#document/directed/changes";
+import {
+  directedAtBoth,
+  type End,
+  sameDirected,
+  setStates,
+  swapDirected,
+  withHalfTurns,
+} from "#document/directed/changes";
 import { directedShapes } from "#document/directed/directed";
 import { asClosedCurves, plantInstead, plantMayHelp } from "#document/directed/outlines";
 import { announce, notify } from "#document/notice";
@@ -13,7 +20,7 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { Problem } from "#ui/panel/Problem";
 import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
 import endsCss from "#ui/shapes/ends.module.css";
-import type { Colouring, Mode } from "#wasm/api";
+import type { Colouring, HalfTurns, Mode } from "#wasm/api";
 import css from "./directed.module.css";
 import { Editor } from "./Editor";
 import { Way } from "./Found";
@@ -178,6 +185,9 @@ function OnTheWay() {
       {!same.value && facts?.match && (
         <div class={css["way"]}>
           <Way proof={facts.proof} match={facts.match} apart={apartAt.value} ended={facts.ended} />
+          {facts.match.halfTurns > 0 && mode.value === "polar" && (
+            <HalfTurnsChoice maps={facts.match.halfTurns} />
+          )}
           {helped.value && doubtful(facts, apartAt.value) && (
             <div class="row">
               <p>The fern “Frond” stays in one piece all the way, proved.</p>
@@ -193,6 +203,30 @@ function OnTheWay() {
         </div>
       )}
     </section>
+  );
+}
+
+const HALF_TURNS: readonly { value: HalfTurns; label: string; description: string }[] = [
+  { value: "signs", label: "By eq. 6", description: "As the signs of the angles have it in the paper" },
+  { value: "counterclockwise", label: "Left", description: "Counter-clockwise, all of them" },
+  { value: "clockwise", label: "Right", description: "Clockwise, all of them" },
+];
+const halfTurns = computed(() => scene.value.directed?.halfTurns ?? "signs");
+
+/** Half a turn is as short either way: says so, and offers them. */
+function HalfTurnsChoice({ maps }: { maps: number }) {
+  return (
+    <>
+      <p>
+        {maps === 1 ? "1 map makes" : `${maps} maps make`} exactly half a turn, which is as short either way.
+      </p>
+      <ChoiceRow
+        label="Half turns"
+        value={halfTurns.value}
+        options={HALF_TURNS}
+        onChange={(next) => edit((before) => withHalfTurns(before, next))}
+      />
+    </>
   );
 }
 

@@ -9,7 +9,7 @@ use crate::directed::matching::Matching;
 use crate::directed::system::DirectedIfs;
 use crate::linear::affine::Affine2;
 use crate::morph::interpolation::Morph;
-use crate::morph::options::{Mode, MorphOptions};
+use crate::morph::options::{HalfTurns, Mode, MorphOptions};
 
 /// Why two graph-directed systems cannot be morphed.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
@@ -57,6 +57,34 @@ impl DirectedMorph {
     /// # Errors
     /// [`DirectedMorphError`] if the graphs cannot be matched.
     pub fn new(from: &DirectedIfs, to: &DirectedIfs, mode: Mode) -> Result<Self, DirectedMorphError> {
+        Self::turning(from, to, mode, HalfTurns::default())
+    }
+
+    /// The same, where maps that turn by half a turn go one way or the other.
+    ///
+    /// # Errors
+    /// [`DirectedMorphError`] if the graphs cannot be matched.
+    pub fn turning(
+        from: &DirectedIfs,
+        to: &DirectedIfs,
+        mode: Mode,
+        half: HalfTurns,
+    ) -> Result<Self, DirectedMorphError> {
+        let mut family = Self::matched(from, to, mode)?;
+        let least = match half {
+            HalfTurns::Signs => return Ok(family),
+            HalfTurns::CounterClockwise => 0..=1,
+            HalfTurns::Clockwise => -1..=0,
+        };
+        let other = family.morph.other_half_turns().into_iter();
+        let turns = other.map(|turn| if least.contains(&turn) { turn } else { 0 }).collect();
+        let [first, last] = [0.0, 1.0].map(|end| family.morph.at(end, end));
+        let options = MorphOptions { mode, turns, ..MorphOptions::default() };
+        family.morph = Morph::new(&first, &last, &options).map_err(|_| DirectedMorphError::TooManyStates)?;
+        Ok(family)
+    }
+
+    fn matched(from: &DirectedIfs, to: &DirectedIfs, mode: Mode) -> Result<Self, DirectedMorphError> {
         if let Some(around) = Around::of(from, to) {
             return Self::around(&around, false, mode);
         }
@@ -118,6 +146,12 @@ impl DirectedMorph {
     pub fn turns(&self) -> Vec<f64> {
         let turned = |turn: &(f64, f64)| if self.mode() == Mode::Linear { 0.0 } else { turn.1 };
         self.morph.turns().iter().map(turned).collect()
+    }
+
+    /// How many maps turn by half a turn, which is as short either way.
+    #[must_use]
+    pub fn half_turns(&self) -> usize {
+        self.morph.other_half_turns().into_iter().filter(|&turn| turn != 0).count()
     }
 
     /// A sentence for each step that was taken to match the graphs; none where they are the same.

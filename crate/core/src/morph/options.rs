@@ -17,6 +17,19 @@ pub enum Mode {
     Linear,
 }
 
+/// Which way maps go that turn by half a turn, which is as short either way.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum HalfTurns {
+    /// As eq 6 of Burch & Hart (1997) has it, by the signs of the angles: the same way from either end.
+    #[default]
+    Signs,
+    /// All of them counter-clockwise.
+    CounterClockwise,
+    /// All of them clockwise.
+    Clockwise,
+}
+
 /// What may be chosen about a morph.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MorphOptions {

@@ -1,6 +1,6 @@
 //! Graph-directed shapes in a document.
 
-use frond_core::{Affine2, DirectedError, DirectedIfs, DirectedMap, MAX_MAPS, MAX_STATES};
+use frond_core::{Affine2, DirectedError, DirectedIfs, DirectedMap, HalfTurns, MAX_MAPS, MAX_STATES};
 use frond_fit::{ClosedCurve, PackError};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -130,4 +130,11 @@ pub struct Directed {
     pub a: DirectedShape,
     /// The last.
     pub b: DirectedShape,
+    /// Which way maps go that turn by half a turn.
+    #[serde(default, rename = "halfTurns", skip_serializing_if = "by_signs")]
+    pub half_turns: HalfTurns,
+}
+
+fn by_signs(half: &HalfTurns) -> bool {
+    *half == HalfTurns::Signs
 }

@@ -8,14 +8,14 @@
 //! A closed curve is packed as those of `curve-a` are.
 //!
 //! States are parted by colons, their maps by semicolons; a map is the number of the state that it copies, from 1, and
-//! its six numbers.
+//! its six numbers. `directed-half=signs` says that half turns go as eq 6 has it.
 
 use std::fmt::Write as _;
 
-use frond_core::{MAX_MAPS, MAX_STATES};
+use frond_core::{HalfTurns, MAX_MAPS, MAX_STATES};
 
 use super::error::LinkError;
-use super::words::{damaged, escape, numbers, read_list, tidy, unescape};
+use super::words::{choice, damaged, escape, name_of, numbers, read_list, tidy, unescape};
 use crate::directed::{Directed, DirectedCopy, DirectedShape};
 
 /// The keys of a shape, of itself and of its name, and which end it is.
@@ -23,9 +23,20 @@ type Keys = (&'static str, &'static str, char);
 const A: Keys = ("directed-a", "directed-a-name", 'A');
 const B: Keys = ("directed-b", "directed-b-name", 'B');
 
+/// Which way half turns go. The first links did not say: in what they showed all were counter-clockwise.
+const HALF: &str = "directed-half";
+const HALF_TURNS: [(&str, HalfTurns); 3] = [
+    ("counter-clockwise", HalfTurns::CounterClockwise),
+    ("signs", HalfTurns::Signs),
+    ("clockwise", HalfTurns::Clockwise),
+];
+
 pub(super) fn write_directed(link: &mut String, directed: &Directed) {
     write_one(link, A, &directed.a);
     write_one(link, B, &directed.b);
+    if directed.half_turns != HALF_TURNS[0].1 {
+        let _ = write!(link, "&{HALF}={}", name_of(&HALF_TURNS, &directed.half_turns));
+    }
 }
 
 fn write_one(link: &mut String, (key, name_key, _): Keys, shape: &DirectedShape) {
@@ -67,7 +78,10 @@ pub(super) fn read_directed<'a>(
         (Some(_), Some(_)) if curves => {
             Err(LinkError::Value { key: A.0, value: "kept beside “curve-a”".to_owned() })
         }
-        (Some(a), Some(b)) => Ok(Some(Directed { a, b })),
+        (Some(a), Some(b)) => {
+            let half_turns = choice(HALF, get(HALF), &HALF_TURNS)?;
+            Ok(Some(Directed { a, b, half_turns }))
+        }
         (None, None) => Ok(None),
         (Some(_), None) => without(B, A),
         (None, Some(_)) => without(A, B),

@@ -5,6 +5,7 @@ mod damaged;
 mod directed;
 mod outlines;
 
+use frond_core::HalfTurns;
 use frond_deform::{Continuity, Roughness, Spin};
 use proptest::prelude::*;
 
@@ -101,12 +102,17 @@ fn any_directed() -> impl Strategy<Value = DirectedShape> {
     prop_oneof![2 => own.prop_filter("no attractor", |shape| shape.refuse_obvious().is_ok()), 1 => gallery]
 }
 
+fn any_half_turns() -> impl Strategy<Value = HalfTurns> {
+    prop_oneof![Just(HalfTurns::Signs), Just(HalfTurns::CounterClockwise), Just(HalfTurns::Clockwise)]
+}
+
 /// What stands in place of the shapes: nothing, closed curves or graph-directed shapes.
 fn any_stand_in() -> impl Strategy<Value = (Option<Curves>, Option<Directed>)> {
     prop_oneof![
         Just((None, None)),
         (any_end(), any_end()).prop_map(|(a, b)| (Some(Curves { a, b }), None)),
-        (any_directed(), any_directed()).prop_map(|(a, b)| (None, Some(Directed { a, b }))),
+        (any_directed(), any_directed(), any_half_turns())
+            .prop_map(|(a, b, half_turns)| (None, Some(Directed { a, b, half_turns }))),
     ]
 }
 

@@ -23,7 +23,7 @@ impl DirectedLocus {
         #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,
         #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] to: JsValue,
         #[wasm_bindgen(
-            unchecked_param_type = "{ mode?: 'polar' | 'linear'; bounds?: Bounds; width: number; height: number; epsilon?: number }"
+            unchecked_param_type = "{ mode?: Mode; halfTurns?: HalfTurns; bounds?: Bounds; width: number; height: number; epsilon?: number }"
         )]
         options: JsValue,
     ) -> Result<Self, JsValue> {

@@ -10,6 +10,7 @@ import {
   swapDirected,
   systemOf,
   withDirected,
+  withHalfTurns,
   withSystem,
 } from "./changes";
 
@@ -58,6 +59,12 @@ describe("graph-directed shapes in a document", () => {
   it("are swapped, copied and edited", () => {
     const both: Scene = { ...PLAIN, t: 0.25, directed: { a: flake, b: quilt } };
     expect(swapDirected(both)).toEqual({ ...both, t: 0.75, directed: { a: quilt, b: flake } });
+    const turned = withHalfTurns(both, "clockwise");
+    expect(turned.directed).toEqual({ a: flake, b: quilt, halfTurns: "clockwise" });
+    expect(swapDirected(turned).directed).toEqual({ a: quilt, b: flake, halfTurns: "counterclockwise" });
+    expect(withHalfTurns(turned, "signs")).toEqual(both);
+    expect(setStates(turned, "a", quilt.states).directed?.halfTurns).toBe("clockwise");
+    expect(withDirected(turned, "a", quilt).directed).toEqual({ a: quilt, b: quilt });
     expect(directedAtBoth(both, "b").directed).toEqual({ a: quilt, b: quilt });
     expect(setStates(both, "a", quilt.states).directed?.a).toEqual({ name: "flake", states: quilt.states });
     for (const change of [swapDirected, (now: Scene) => directedAtBoth(now, "a")])

@@ -1,5 +1,5 @@
 /** What is done to a document that holds graph-directed shapes, as functions from scene to scene. */
-import type { DirectedShape, Scene, Shape } from "#wasm/api";
+import type { DirectedShape, HalfTurns, Scene, Shape } from "#wasm/api";
 
 export type End = "a" | "b";
 
@@ -20,7 +20,10 @@ export function systemOf({ name, states }: DirectedShape): Shape | null {
  */
 export function withDirected(scene: Scene, end: End, shape: DirectedShape): Scene {
   const other = end === "a" ? "b" : "a";
-  if (scene.directed) return { ...scene, directed: { ...scene.directed, [end]: shape } };
+  if (scene.directed) {
+    const { a, b } = scene.directed;
+    return { ...scene, directed: { a, b, [end]: shape } };
+  }
   const { curves: _, view: __, ...rest } = scene;
   const ends = { a: oneState(scene.a), b: oneState(scene.b) };
   return { ...rest, directed: { ...ends, [other]: ends[other], [end]: shape } };
@@ -44,7 +47,31 @@ export function withSystem(scene: Scene, end: End, shape: Shape): Scene {
 /** The same morph, run from the other side. */
 export function swapDirected(scene: Scene): Scene {
   if (!scene.directed) return scene;
-  return { ...scene, directed: { a: scene.directed.b, b: scene.directed.a }, t: 1 - scene.t };
+  const { a, b, halfTurns } = scene.directed;
+  return {
+    ...scene,
+    directed: { a: b, b: a, ...halfTurnsOf({ halfTurns: BACK[halfTurns ?? "signs"] }) },
+    t: 1 - scene.t,
+  };
+}
+
+/** Which way half turns go that are gone back. */
+const BACK: Record<HalfTurns, HalfTurns> = {
+  signs: "signs",
+  counterclockwise: "clockwise",
+  clockwise: "counterclockwise",
+};
+
+/** Which way half turns go, as far as that has to be said. */
+export function halfTurnsOf({ halfTurns }: { halfTurns?: HalfTurns | undefined }): { halfTurns?: HalfTurns } {
+  return halfTurns === undefined || halfTurns === "signs" ? {} : { halfTurns };
+}
+
+/** Other half turns than those that eq 6 has. */
+export function withHalfTurns(scene: Scene, halfTurns: HalfTurns): Scene {
+  if (!scene.directed) return scene;
+  const { a, b } = scene.directed;
+  return { ...scene, directed: { a, b, ...halfTurnsOf({ halfTurns }) } };
 }
 
 /** The shape of one end at both. */
@@ -57,7 +84,8 @@ export function directedAtBoth(scene: Scene, end: End): Scene {
 /** Other states at one end. The shape keeps its name, and is no longer the gallery's. */
 export function setStates(scene: Scene, end: End, states: DirectedShape["states"]): Scene {
   if (!scene.directed) return scene;
-  return withDirected(scene, end, { name: scene.directed[end].name, states });
+  const shape = { name: scene.directed[end].name, states };
+  return { ...scene, directed: { ...scene.directed, [end]: shape } };
 }
 
 /** Whether both ends are the same: then there is no morph to speak of. */

@@ -1,16 +1,17 @@
 /** Graph-directed shapes: what the morph works on in place of two systems, where the document has them. */
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
 import type { Box } from "#geometry/boxes";
-import type { DirectedShape } from "#wasm/api";
+import type { Scene } from "#wasm/api";
 import { directedTask } from "#workers/directed/client";
 import type { Moment, Way } from "#workers/directed/moment";
 import { isStopped } from "#workers/lanes/latest";
 import { notify, wordsOf } from "../notice";
 import { scene } from "../scene";
 import { directedBoxAt } from "../stand-in";
+import { halfTurnsOf } from "./changes";
 
 /** The shapes of the document. */
-export const directedShapes: ReadonlySignal<{ a: DirectedShape; b: DirectedShape } | null> = computed(
+export const directedShapes: ReadonlySignal<Scene["directed"] | null> = computed(
   () => scene.value.directed ?? null,
 );
 
@@ -19,7 +20,7 @@ const mode = computed(() => scene.value.mode);
 /** The way between them; null where there is none. */
 export const directedWay: ReadonlySignal<Way | null> = computed(() => {
   const now = directedShapes.value;
-  return now && { from: now.a, to: now.b, mode: mode.value };
+  return now && { from: now.a, to: now.b, mode: mode.value, ...halfTurnsOf(now) };
 });
 
 /** The present moment of it. */

@@ -1,4 +1,4 @@
-import type { DirectedIfs, Mode } from "#wasm/api";
+import type { DirectedIfs, HalfTurns, Mode } from "#wasm/api";
 import { directed } from "#wasm/directed";
 
 /** A way between two graph-directed shapes, both parameters alike. */
@@ -6,6 +6,7 @@ export interface Way {
   from: DirectedIfs;
   to: DirectedIfs;
   mode: Mode;
+  halfTurns?: HalfTurns;
 }
 
 /** A moment of it, 0 to 1. */
@@ -14,9 +15,9 @@ export interface Moment extends Way {
 }
 
 /** The system there. At the ends nothing is split or doubled: the shapes are as they are. */
-export function systemAt({ from, to, mode, t }: Moment): DirectedIfs {
+export function systemAt({ from, to, t, ...options }: Moment): DirectedIfs {
   if (t <= 0) return from;
-  return t >= 1 ? to : directed.interpolateDirected(from, to, { u: t, v: t, mode });
+  return t >= 1 ? to : directed.interpolateDirected(from, to, { u: t, v: t, ...options });
 }
 
 /**
@@ -24,11 +25,11 @@ export function systemAt({ from, to, mode, t }: Moment): DirectedIfs {
  * its parts have the colours that they keep all along.
  */
 export function drawnAt(moment: Moment): DirectedIfs {
-  const { from, to, mode, t } = moment;
+  const { from, to, t, ...options } = moment;
   if (t > 0 && t < 1) return systemAt(moment);
   try {
     const end = t <= 0 ? 0 : 1;
-    return directed.interpolateDirected(from, to, { u: end, v: end, mode });
+    return directed.interpolateDirected(from, to, { u: end, v: end, ...options });
   } catch {
     // What has no way to the other is drawn as it is.
     return systemAt(moment);

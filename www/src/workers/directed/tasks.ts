@@ -114,9 +114,9 @@ export const tasks = {
       }
     }),
   /** Where the morph holds together over (u, v), coarse first. */
-  async locus(context: Context<LocusSoFar>, { from, to, mode }: Way): Promise<LocusSoFar> {
+  async locus(context: Context<LocusSoFar>, { from, to, ...way }: Way): Promise<LocusSoFar> {
     const { size } = COARSE;
-    const options = { mode, width: size, height: size, epsilon: EPSILON };
+    const options = { ...way, width: size, height: size, epsilon: EPSILON };
     const grid = new directed.DirectedLocus(from, to, options);
     try {
       return await fillLocus(context, COARSE, (r0, r1, stride) => grid.run(r0, r1, stride));

@@ -20,13 +20,34 @@ fn graph_directed_shapes_read_like_words() {
     assert!(encode(&changed).contains("&directed-a=states:2,"));
 }
 
+/// What the first links showed had every half turn counter-clockwise.
+#[test]
+fn links_of_graph_directed_shapes_say_which_way_half_turns_go() {
+    let link = "v=1&a=gasket&b=gasket&directed-a=snowflake&directed-b=crystal";
+    for (word, half_turns) in [
+        ("", HalfTurns::CounterClockwise),
+        ("&directed-half=signs", HalfTurns::Signs),
+        ("&directed-half=clockwise", HalfTurns::Clockwise),
+    ] {
+        let link = format!("{link}{word}");
+        let (scene, problem) = decode(&link);
+        assert_eq!((scene.directed.as_ref().map(|now| now.half_turns), problem), (Some(half_turns), None));
+        assert_eq!(encode(&scene), link);
+    }
+    let (_, damaged) = decode(&format!("{link}&directed-half=left"));
+    assert_eq!(damaged.map(|problem| problem.code()), Some("link-damaged"));
+}
+
 #[test]
 fn outlines_among_graph_directed_shapes_are_packed() {
     let curve = frond_fit::curve_presets().remove(0).curve;
     let leaf = DirectedShape::of_outline("Leaf", &curve).unwrap();
     assert_eq!(leaf.system().unwrap().len(), leaf.states.len());
     let fern = DirectedShape::of_preset("frond").unwrap();
-    let mut scene = Scene { directed: Some(Directed { a: fern, b: leaf.clone() }), ..Scene::default() };
+    let mut scene = Scene {
+        directed: Some(Directed { a: fern, b: leaf.clone(), half_turns: HalfTurns::Clockwise }),
+        ..Scene::default()
+    };
     let link = encode(&scene);
     assert!(link.contains("&directed-a=frond&directed-b=curve:") && link.len() < 2000, "{link}");
     let (again, problem) = decode(&link);
@@ -89,6 +110,9 @@ fn the_largest_graph_is_told_to_be_too_long_for_a_link() {
         DirectedShape { preset: None, name: String::new(), states: vec![vec![copy; 64]; 64], outline: None };
     assert!(large.system().is_ok());
     let small = DirectedShape::of_preset("quilt").unwrap();
-    let scene = Scene { directed: Some(Directed { a: large, b: small }), ..Scene::default() };
+    let scene = Scene {
+        directed: Some(Directed { a: large, b: small, half_turns: HalfTurns::Signs }),
+        ..Scene::default()
+    };
     assert_eq!(crate::link::encode(&scene).unwrap_err().code(), "link-too-long");
 }
