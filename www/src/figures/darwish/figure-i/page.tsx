@@ -1,9 +1,9 @@
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import {
+  BY_FIGURE_IV,
   differsBy,
   MATRICES,
-  RECONSTRUCTED,
   stateOf,
   TurnedTriangle,
   turnedInTool,
@@ -44,7 +44,7 @@ export function Page(heading: Heading) {
         { name: "Dimension", value: "ln 3 / ln 2 = 1.585" },
       ]}
       captions={["Fig i Sierpinski Triangle"]}
-      reconstructed={`Printed are the matrices, 0.5 I, and the second numbers of the translations: 0.06, 0.00 and 0.30. ${RECONSTRUCTED}`}
+      reconstructed={`Printed are the matrices, 0.5 I, and the second numbers of the translations: 0.06, 0.00 and 0.30. The first numbers are cut off. They are reconstructed: ${BY_FIGURE_IV}.`}
       differs={differsBy(turned.form)}
       studio={turnedInTool(turned)}
     >

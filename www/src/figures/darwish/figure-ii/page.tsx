@@ -6,8 +6,8 @@ import { tex } from "../../kit/notation/tex";
 import {
   differsBy,
   MATRICES,
-  RECONSTRUCTED,
   stateOf,
+  THAT_OF_FIGURE_I,
   TurnedTriangle,
   turnedInTool,
   useTurnedTriangle,
@@ -55,7 +55,7 @@ export function Page(heading: Heading) {
         { name: "Eq 1", value: [tex`A' = T A T^{-1}`, tex`b' = T b + t - A' t`] },
       ]}
       captions={["Fig ii After rotation about x,y,z"]}
-      reconstructed={`Printed are the matrices, 0.50 on the diagonal and ±0.00 beside it, and the second numbers of the translations: −0.06, 0.03 and 0.23. Of another row 0.14 is left. The angles are not printed: these bring out all four. ${RECONSTRUCTED}`}
+      reconstructed={`Printed are the matrices, 0.50 on the diagonal and ±0.00 beside it, and the second numbers of the translations: −0.06, 0.03 and 0.23. Of another row 0.14 is left. The angles are not printed: these bring out all four. ${THAT_OF_FIGURE_I}`}
       differs={[
         differsBy(turned.form),
         "Eq 1 is conjugation, w′ = T w T⁻¹: it holds in any dimension and for every T that can be undone, turns or not.",

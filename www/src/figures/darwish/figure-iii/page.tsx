@@ -11,10 +11,10 @@ import { fromOrigin, VIEW } from "../space/eye";
 import { LookAgain } from "../space/look-again";
 import { triangle } from "../space/shapes";
 import { inSpaceTool } from "../space/tool-link";
-import { RECONSTRUCTED } from "../space/triangle";
+import { THAT_OF_FIGURE_I } from "../space/triangle";
 import { ANGLES, AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
-const ANGLE = 0.06;
+const ANGLE = 0.045;
 /** How far it is carried along x, along y beside that, and how it is turned: so that the table shows what is printed. */
 const PRINTED = 30.5;
 export const BESIDE = -0.3;
@@ -67,7 +67,7 @@ export function Page(heading: Heading) {
         { name: "Height of the picture", value: `${fixed((ANGLE * 180) / Math.PI, 1)}°` },
       ]}
       captions={["Fig iii (After more rotations)"]}
-      reconstructed={`Printed are the matrices, 0.50 on the diagonal and ±0.00 beside it (one looks like −0.90), and four numbers of the translations: 14.99 and −0.08 of the first map, 15.33 of the second, −0.45 of the third. The angles and the move are not printed: these bring out all four. ${RECONSTRUCTED}`}
+      reconstructed={`Printed are the matrices, 0.50 on the diagonal and ±0.00 beside it (one looks like −0.90), and four numbers of the translations: 14.99 and −0.08 of the first map, 15.33 of the second, −0.45 of the third. The angles and the move are not printed: these bring out all four. ${THAT_OF_FIGURE_I}`}
       studio={inSpaceTool([{ name: "Triangle", maps: made, moved: by }], view)}
     >
       <Conjugated

@@ -64,6 +64,7 @@ export function Page(heading: Heading) {
     >
       <Conjugated
         wide
+        digits={1}
         made={made}
         by={by}
         view={view}

@@ -96,6 +96,7 @@ export function Page(heading: Heading) {
       </div>
       <Conjugated
         wide
+        digits={1}
         made={made}
         by={by}
         view={view}

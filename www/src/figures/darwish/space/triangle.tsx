@@ -20,9 +20,11 @@ const TRIANGLE_VIEW: SpaceView = {
   angle: 0.42,
 };
 
-/** Where the triangle comes from. */
-export const RECONSTRUCTED =
-  "The first numbers of its translations are cut off. They are reconstructed: by the sides of the triangle of Figure iv, which is printed whole, and so that Figure ii is a turn of this triangle.";
+/** Where the first numbers of the triangle's translations come from. */
+export const BY_FIGURE_IV =
+  "by the sides of the triangle of Figure iv, which is printed whole, and so that Figure ii is a turn of it";
+/** The same, on pages of the figures that follow. */
+export const THAT_OF_FIGURE_I = `The triangle is that of Figure i, whose first translations are reconstructed: ${BY_FIGURE_IV}.`;
 
 /** Of each map, as it is made. */
 export const MATRICES: Readonly<Record<Form, string>> = {
