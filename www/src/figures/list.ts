@@ -103,7 +103,7 @@ export const ROWS: readonly Row[] = [
         number: "Deformation, Figure 1",
         short: "1",
         title: "Every point has a code",
-        about: "Letter by letter into a line and a square, by halves and by thirds.",
+        about: "Letter by letter into a line and a square, each side cut in two or in three.",
         load: () => import("./fujimoto/figure-1/page"),
         thumb: () => import("./fujimoto/figure-1/thumb"),
       },

@@ -64,7 +64,8 @@ export const EXAMPLES: readonly Example[] = [
   {
     id: "dragon",
     name: "Dragon",
-    about: "Two copies, each 1/√2 as long, turned by 45 degrees to either side; the second runs backwards (Heighway’s dragon).",
+    about:
+      "Two copies, each 1/√2 as long, turned by 45 degrees to either side; the second runs backwards (Heighway’s dragon).",
     make: () =>
       similar(
         [
