@@ -73,7 +73,7 @@ fn shapes() -> Vec<Preset3> {
         preset(
             "pyramid",
             "Pyramid",
-            "Five copies, each half as long, around (15, 0, 0): the eye of Darwish & Abd-El-Wahab is at the origin, and their print has it 30 away.",
+            "Five copies, each half as long, around (15, 0, 0). The eye of Darwish & Abd-El-Wahab is at the origin, and their pyramid 30 units away.",
             pyramid(),
         ),
         preset(

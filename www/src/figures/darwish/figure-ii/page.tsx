@@ -58,7 +58,7 @@ export function Page(heading: Heading) {
       reconstructed={`Printed are the matrices, 0.50 on the diagonal and ±0.00 beside it, and the second numbers of the translations: −0.06, 0.03 and 0.23. Of another row 0.14 is left. The angles are not printed: these bring out all four. ${THAT_OF_FIGURE_I}`}
       differs={[
         differsBy(turned.form),
-        "Eq 1 is conjugation, w′ = T w T⁻¹: it holds in any dimension and for every T that can be undone, turns or not.",
+        "Eq 1 is conjugation, w′ = T w T⁻¹: it holds in any dimension and for every T that can be undone, turns or not. The paper’s matrix of a rotation about z turns clockwise; angles here are counter-clockwise.",
       ]
         .filter(Boolean)
         .join(" ")}
