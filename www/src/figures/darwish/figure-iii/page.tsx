@@ -15,7 +15,7 @@ import { THAT_OF_FIGURE_I } from "../space/triangle";
 import { ANGLES, AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
 const ANGLE = 0.045;
-/** How far it is carried along x, along y beside that, and how it is turned: so that the table shows what is printed. */
+/** How far it is carried along x and along y, and how it is turned: so that the table shows what is printed. */
 const PRINTED = 30.5;
 export const BESIDE = -0.3;
 const TURNED: Angles = [-28, 21, 154];
