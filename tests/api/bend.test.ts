@@ -68,6 +68,8 @@ describe("a fractal deformation", () => {
     expect(facts).toMatchObject({ continuity: "corners", ke: 6 });
     expect(facts.deepest).toBeGreaterThanOrEqual(12);
     expect(facts.reach).toBeGreaterThanOrEqual(0.5 - 1e-12);
+    for (const continuity of ["average", "published"])
+      expect(frond.bendFacts(gasket, bend(0.3, 0.4, { continuity })).continuity).toBe(continuity);
   });
 
   it.each([

@@ -26,6 +26,33 @@ const lit = (pixels: ArrayLike<number>) =>
   Array.from(pixels).filter((byte, i) => i % 4 === 3 && byte > 0).length;
 
 describe("space", () => {
+  it("flattens a shape in the axes of its shadow, or of itself as the paper prints it", () => {
+    const map = wrong([[0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.25, 0.35, 0.45]]);
+    const along = (way: [number, number, number], options?: object) =>
+      space.epsilonProjection(map, way, 0.5, wrong(options));
+    // A call of three arguments answers as it always did: along z the shadow is seen mirrored in x.
+    const picture = along([0, 0, 1]);
+    expect(picture.maps).toEqual([[0.1, -0.2, -0.6, -0.4, 0.5, 1.2, -0.35, 0.4, 0.9, -0.25, 0.35, 0.225]]);
+    expect(picture.diverging).toEqual([
+      [0, 0],
+      [0, 1],
+    ]);
+    expect(along([0, 0, 1], { frame: "picture" })).toEqual(picture);
+    for (const z of [1, -1]) {
+      const printed = along([0, 0, z], { frame: "space" });
+      expect(printed.maps).toEqual([[0.1, 0.2, 0.6, 0.4, 0.5, 1.2, 0.35, 0.4, 0.9, 0.25, 0.35, 0.225]]);
+      expect(printed.diverging).toEqual([
+        [0, 0, 2],
+        [0, 1, 2],
+      ]);
+    }
+    expect(along([0, 1, 0], { frame: "space" }).diverging).toEqual([
+      [0, 0, 1],
+      [0, 2, 1],
+    ]);
+    expect(refused(() => along([0, 0, 1], { frame: "paper" }))).toBe("bad-input");
+  });
+
   it("goes into a link and back", () => {
     const first = space.defaultSpace();
     expect(space.unpackSpace(space.packSpace(first))).toEqual(first);

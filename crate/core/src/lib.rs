@@ -106,7 +106,7 @@ pub use morph::turn3::Turn3;
 pub use morph::ways::ways;
 pub use morph::zipper::{Joints, joints};
 pub use order::{Ranked, Total};
-pub use projection::epsilon::{EpsilonProjection, epsilon_projection};
+pub use projection::epsilon::{EpsilonFrame, EpsilonProjection, epsilon_projection};
 pub use projection::parallel::{Plane, ProjectError, exact_projection, invariant_directions};
 pub use sample::adaptive_cut2::{CutOutcome, adaptive_cut};
 pub use sample::adaptive_cut3::adaptive_cut3;

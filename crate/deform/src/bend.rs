@@ -264,6 +264,7 @@ impl Bend {
     #[inline]
     pub(crate) fn plain(&self, footing: &Footing) -> f64 {
         match self.terms.fixed() {
+            _ if self.support.holds_all() => 0.0,
             Some(weights) => weights.plain,
             None => 1.0 - footing.iter().map(|(node, share)| self.shares[node] * share).sum::<f64>(),
         }

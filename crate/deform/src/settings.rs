@@ -64,9 +64,13 @@ pub enum Continuity {
     /// Nothing: the formula as it stands. Trees, whose pieces hardly touch, are bent best so; where the shuffle tears
     /// them, they fray, the rougher the more.
     Raw,
-    /// The mean of what is shuffled over each piece of ke letters, interpolated over a Delaunay triangulation of their
-    /// middles (Fujimoto et al., section 5.3). Nothing tears, but thin parts lean on their neighbours.
+    /// As [`Continuity::Published`], but the terms that shuffle nothing are left exact: k = kb and, where displacements
+    /// do not turn, k = kb + 1. So the bend becomes the plain deformation without a jump as kb goes to ke.
     Average,
+    /// The mean of all terms over each piece of ke letters, interpolated over a Delaunay triangulation of their middles
+    /// (Fujimoto et al., section 5.3). Where no term shuffles, the bend is the plain deformation. Nothing tears, but
+    /// thin parts lean on their neighbours.
+    Published,
 }
 
 /// How displacements are shuffled and kept together.

@@ -137,7 +137,7 @@ proptest! {
     #[test]
     fn with_kb_at_ke_all_is_plain(
         shape in 0..8_usize, deep in 0.0..5.0_f64, whole: bool, roughness in any_roughness(), spin in any_spin(),
-        continuity in proptest::sample::select(vec![Continuity::Corners, Continuity::Splat, Continuity::Raw, Continuity::Average]),
+        continuity in proptest::sample::select(vec![Continuity::Corners, Continuity::Splat, Continuity::Raw, Continuity::Average, Continuity::Published]),
         picks in proptest::collection::vec(0..64_usize, 0..8), list in any_mesh(), x in 0.0..1.0_f64, y in 0.0..1.0_f64,
     ) {
         let maps = with_corners(shape);
@@ -155,7 +155,7 @@ proptest! {
     #[test]
     fn what_is_moved_as_a_whole_stays_whole(
         shape in 0..10_usize, (kb, ke) in any_depths(4.0), roughness in any_roughness(), superposed: bool,
-        continuity in proptest::sample::select(vec![Continuity::Auto, Continuity::Splat, Continuity::Raw, Continuity::Average]),
+        continuity in proptest::sample::select(vec![Continuity::Auto, Continuity::Splat, Continuity::Raw, Continuity::Average, Continuity::Published]),
         picks in proptest::collection::vec(0..64_usize, 0..8),
     ) {
         let maps = match shape { 8 => fern(), 9 => twindragon(), shape => with_corners(shape) };
@@ -174,7 +174,7 @@ proptest! {
     #[test]
     fn nothing_goes_beyond_its_reach(
         shape in 0..10_usize, (kb, ke) in any_depths(4.0), roughness in any_roughness(), spin in any_spin(), list in any_mesh(),
-        continuity in proptest::sample::select(vec![Continuity::Auto, Continuity::Splat, Continuity::Raw, Continuity::Average]),
+        continuity in proptest::sample::select(vec![Continuity::Auto, Continuity::Splat, Continuity::Raw, Continuity::Average, Continuity::Published]),
         picks in proptest::collection::vec(0..64_usize, 0..8),
     ) {
         let maps = match shape { 8 => fern(), 9 => twindragon(), shape => with_corners(shape) };
@@ -193,7 +193,7 @@ proptest! {
     #[test]
     fn skins_go_where_the_bend_goes(
         shape in 0..10_usize, (kb, ke) in any_depths(4.0), roughness in any_roughness(), spin in any_spin(), list in any_mesh(),
-        continuity in proptest::sample::select(vec![Continuity::Auto, Continuity::Splat, Continuity::Raw, Continuity::Average]),
+        continuity in proptest::sample::select(vec![Continuity::Auto, Continuity::Splat, Continuity::Raw, Continuity::Average, Continuity::Published]),
         words in proptest::collection::vec(proptest::collection::vec(0..64_usize, 0..7), 1..12), superposed: bool,
     ) {
         let (maps, low, high) = match shape {
@@ -229,7 +229,9 @@ fn a_moved_bend_is_a_new_one() {
     let (rest, moved) = (unit_mesh(&[(0.0, 0.0); 16]), unit_mesh(&bumps(0.05)));
     for shape in 0..8 {
         let maps = with_corners(shape);
-        for continuity in [Continuity::Auto, Continuity::Splat, Continuity::Raw, Continuity::Average] {
+        for continuity in
+            [Continuity::Auto, Continuity::Splat, Continuity::Raw, Continuity::Average, Continuity::Published]
+        {
             let asked = settings(0.3, 3.6, 0.8, Spin::Orthogonal, continuity);
             let mut bend = Bend::new(&maps, rest.clone(), asked, None).unwrap();
             bend.set_mesh(moved.displacements()).unwrap();
@@ -289,7 +291,7 @@ fn splats_go_where_the_formula_goes() {
     )
     .unwrap();
     let field = Field::new(&maps, &mesh, Spin::None);
-    for continuity in [Continuity::Splat, Continuity::Average] {
+    for continuity in [Continuity::Splat, Continuity::Average, Continuity::Published] {
         let bend =
             Bend::new(&maps, mesh.clone(), settings(0.0, 6.0, 0.7, Spin::None, continuity), None).unwrap();
         let (mut both, mut ours, mut theirs) = (0.0, 0.0, 0.0);
@@ -387,7 +389,7 @@ fn shapes_choose_what_suits_them() {
     assert_eq!(choice(&spiral.map(Affine2::from_row), Continuity::Auto), Continuity::Raw);
     assert_eq!(choice(&twindragon(), Continuity::Auto), Continuity::Splat);
     assert_eq!(choice(&twindragon(), Continuity::Corners), Continuity::Splat, "it has none");
-    for asked in [Continuity::Splat, Continuity::Raw, Continuity::Average] {
+    for asked in [Continuity::Splat, Continuity::Raw, Continuity::Average, Continuity::Published] {
         assert_eq!(choice(&gasket(), asked), asked);
     }
 }
@@ -404,10 +406,16 @@ fn degenerate_shapes_do_no_harm() {
     let localities = frond_testing::cases(1) as usize;
     let shapes = [one, twice, line, points, sheared, fern(), square(3, |_| true)];
     for (first, maps) in shapes.into_iter().enumerate() {
-        for (second, continuity) in
-            [Continuity::Auto, Continuity::Corners, Continuity::Splat, Continuity::Raw, Continuity::Average]
-                .into_iter()
-                .enumerate()
+        for (second, continuity) in [
+            Continuity::Auto,
+            Continuity::Corners,
+            Continuity::Splat,
+            Continuity::Raw,
+            Continuity::Average,
+            Continuity::Published,
+        ]
+        .into_iter()
+        .enumerate()
         {
             for ke in [0.0, 2.0, 3.7].into_iter().cycle().skip(first + second).take(localities.min(3)) {
                 let bend = Bend::new(
@@ -437,6 +445,7 @@ fn depths_beyond_memory_are_taken_down() {
         (square(3, |_| true), Continuity::Auto, 6),
         (twindragon(), Continuity::Auto, 18),
         (twindragon(), Continuity::Average, 16),
+        (twindragon(), Continuity::Published, 16),
         (fern(), Continuity::Auto, 64),
     ] {
         let asked = settings(0.0, 1e9, 0.5, Spin::None, continuity);

@@ -191,7 +191,7 @@ fn spin_and_continuity_do_not_count() {
     let asked = settings(1.0, 4.0, Roughness::Constant(0.8), true);
     let (plain, z) = (bend(&list, asked), curve(0.61));
     for spin in [Spin::Orthogonal, Spin::Rotation, Spin::Scaled] {
-        for continuity in [Continuity::Raw, Continuity::Splat, Continuity::Average] {
+        for continuity in [Continuity::Raw, Continuity::Splat, Continuity::Average, Continuity::Published] {
             let other = bend(&list, Settings { spin, continuity, ..asked });
             assert_eq!(other.displaced(0.61, z), plain.displaced(0.61, z));
         }

@@ -53,7 +53,7 @@ pub fn curve_presets() -> Vec<CurvePreset> {
         Some(CurvePreset {
             id: "snowflake",
             name: "Snowflake",
-            about: "Koch's curve three times round: every edge is a third of the four edges of its side.",
+            about: "Koch's curve three times round: every edge is a copy of the four edges of its side, a third as long.",
             curve: snowflake(),
         }),
         baked(

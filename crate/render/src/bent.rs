@@ -120,7 +120,8 @@ impl<'a> Bent<'a> {
             frame.tips.iter().copied().take(TIPS_PROBED.0).chain(inner.take(TIPS_PROBED.1)).collect();
         let reach = bend.reach() * eye.scale();
         // What is read off a grid or a triangulation has folds.
-        let folds = matches!(bend.continuity(), Continuity::Splat | Continuity::Average);
+        let folds =
+            matches!(bend.continuity(), Continuity::Splat | Continuity::Average | Continuity::Published);
         let small = if folds { EVEN_SIZE } else { ONE_PROBE_SIZE };
         Self { frame, bend, window: target, eye, sides, anchor_error, probes, small, reach }
     }

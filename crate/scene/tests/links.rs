@@ -5,6 +5,7 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use frond_deform::Continuity;
 use frond_fit::{Node, Spline};
 use frond_scene::{MAX_LINK, decode, encode, pack, unpack};
 use glam::DVec2;
@@ -302,4 +303,16 @@ fn many_of_these_links_open() {
     }
     assert!(opened > 500 && curves > 20 && spaces > 20 && bent > 30, "{opened} {curves} {spaces} {bent}");
     assert!(graphs > 20 && taken > 10 && splines > 20 && words > 5, "{graphs} {taken} {splines} {words}");
+}
+
+/// A link with `average` was given out before there was `published`: it goes on showing what it showed.
+#[test]
+fn averages_in_links_keep_their_meaning() {
+    for (word, continuity) in [("average", Continuity::Average), ("published", Continuity::Published)] {
+        let link = format!("v=1&a=gasket&b=gasket&mesh=4x4:0,0,1,1&bend=0,3,0.75&keys=0:&join={word}");
+        let (scene, damage) = decode(&link);
+        assert_eq!(damage, None);
+        assert_eq!(scene.deform.as_ref().unwrap().continuity, continuity);
+        assert!(encode(&scene).unwrap().contains(&format!("join={word}")));
+    }
 }

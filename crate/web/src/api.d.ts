@@ -507,11 +507,13 @@ export interface SplineShape {
 export type Spin = "none" | "orthogonal" | "rotation" | "scaled";
 
 /**
- * What keeps neighbouring pieces together: shared corners, a splat for each level, nothing, or the paper's averages:
- * the mean displacement of each of the smallest pieces, over a Delaunay triangulation of their middles. `"auto"` takes
- * what fits the shape: nothing for ferns and trees, which may fray.
+ * What keeps neighbouring pieces together: shared corners, a splat for each level, nothing, or averages. `"published"`
+ * is what the paper does (section 5.3): the mean displacement of each of the smallest pieces, over a Delaunay
+ * triangulation of their middles. `"average"` is a variant that leaves the terms exact that shuffle nothing: kb and,
+ * where displacements do not turn, kb + 1. `"auto"` takes what fits the shape: nothing for ferns and trees, which may
+ * fray.
  */
-export type Continuity = "auto" | "corners" | "splat" | "raw" | "average";
+export type Continuity = "auto" | "corners" | "splat" | "raw" | "average" | "published";
 
 /** A fractal deformation at one moment (Fujimoto et al., eqs 12 and 18). Lengths are units of the plane. */
 export interface Bend {
@@ -1109,12 +1111,19 @@ export interface Shadow {
 
 /** A shape flattened by epsilon along the direction of view (Darwish & Abd-El-Wahab, section 3.5). */
 export interface EpsilonProjection {
-  /** In the coordinates of the picture: x to the right, y up, z along the view. */
+  /**
+   * In the frame that was asked for. `"space"`: the axes of the shape, as in the paper, where a scale along z is
+   * diag(1, 1, epsilon). `"picture"`, the default: x to the right, y up, z along the direction, away from the eye. The
+   * latter axes are left-handed: the maps are those of a mirror image, along z of the shape mirrored in x.
+   */
   maps: MapRow3[];
   /** The largest entry of all matrices. */
   largest: number;
-  /** The entries that grow as 1 / epsilon: the map, and the row of the matrix, 0 or 1, of the third column. */
-  diverging: [map: number, row: number][];
+  /**
+   * The entries that grow as 1 / epsilon: the map, the row of its matrix, and in the frame `"space"` the column, all
+   * from 0. In the frame `"picture"` all of them stand in the third column.
+   */
+  diverging: [map: number, row: number, column?: number][];
 }
 
 /** What is known of where two shapes meet whose maps share one linear part. */

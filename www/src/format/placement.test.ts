@@ -29,6 +29,13 @@ test("directions by their axes", () => {
 test("numbers that grow are named", () => {
   expect(divergingWords([])).toMatch(/^No number grows/);
   expect(divergingWords([[0, 1]])).toBe("1 number grows without end, in the third column: row 2 of w₁.");
+  expect(divergingWords([[0, 0, 1]])).toBe("1 number grows without end, in the second column: row 1 of w₁.");
+  expect(
+    divergingWords([
+      [0, 0, 1],
+      [1, 2, 0],
+    ]),
+  ).toBe("2 numbers grow without end: row 1, column 2 of w₁; row 3, column 1 of w₂.");
   expect(divergingWords(Array.from({ length: 8 }, (_, i) => [i, 0] as const))).toMatch(
     /^8 numbers .* row 1 of w₆ and 2 more\.$/,
   );

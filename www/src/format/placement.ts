@@ -37,15 +37,24 @@ export function unit([x, y, z]: Point3): Point3 | null {
   return length > 1e-12 && Number.isFinite(length) ? [x / length, y / length, z / length] : null;
 }
 
+/** A number that grows as 1 / epsilon: it stands in the third column where none is given. */
+export type Diverging = readonly [map: number, row: number, column?: number];
+
+const ORDINALS = ["first", "second", "third"];
+
 /** Places of numbers that grow as 1 / epsilon, as people read them: "row 2 of w₁". */
-export function divergingWords(diverging: readonly (readonly [map: number, row: number])[]): string {
+export function divergingWords(diverging: readonly Diverging[]): string {
   if (diverging.length === 0) return "No number grows: the direction is kept by every map.";
-  const few = diverging.slice(0, 6).map(([map, row]) => `row ${row + 1} of w${lowered(map + 1)}`);
+  const [[, , first = 2] = [0, 0]] = diverging;
+  const one = diverging.every(([, , column = 2]) => column === first);
+  const few = diverging.slice(0, 6).map(([map, row, column = 2]) => {
+    const place = one ? `row ${row + 1}` : `row ${row + 1}, column ${column + 1}`;
+    return `${place} of w${lowered(map + 1)}`;
+  });
   const more = diverging.length - few.length;
-  const list = more > 0 ? `${few.join(", ")} and ${more} more` : few.join(", ");
-  return diverging.length === 1
-    ? `1 number grows without end, in the third column: ${list}.`
-    : `${diverging.length} numbers grow without end, in the third column: ${list}.`;
+  const list = few.join(one ? ", " : "; ") + (more > 0 ? ` and ${more} more` : "");
+  const grow = diverging.length === 1 ? "1 number grows" : `${diverging.length} numbers grow`;
+  return `${grow} without end${one ? `, in the ${ORDINALS[first] ?? "third"} column` : ""}: ${list}.`;
 }
 
 function lowered(n: number): string {

@@ -1,4 +1,4 @@
-//! The paper's own repair: averages and a Delaunay triangulation.
+//! The paper's own repair, averages and a Delaunay triangulation, and a variant of it.
 
 use std::collections::HashMap;
 
@@ -19,8 +19,12 @@ use crate::shuffle::terms::{Terms, deepest_level};
 /// shuffled to, exactly, turned as a whole; all points count alike, as the chaos game throws them. Where the roughness
 /// varies, the weights are those at the middle. Middles that coincide are taken together, and four points far out have
 /// the displacement of the middle that is nearest, so that the triangulation covers all and there is one even for
-/// middles in a line. The terms that are no shuffle at all are the plain displacement, which is left exact, unlike in
-/// the paper: so kb = ke is the plain deformation.
+/// middles in a line.
+///
+/// Some terms shuffle nothing: k = kb and, where nothing turns, k = kb + 1. The paper averages all terms
+/// ([`Continuity::Published`](crate::Continuity::Published)); its kb = ke, where nothing is separated, is the plain
+/// deformation. The variant leaves these terms exact ([`Continuity::Average`](crate::Continuity::Average)), so that
+/// kb = ke is the plain deformation without a jump.
 #[derive(Clone, Debug)]
 pub(crate) struct Average {
     maps: usize,
@@ -32,6 +36,8 @@ pub(crate) struct Average {
     /// The vertices whose displacements the outer four have.
     nearest: [usize; 4],
     triangulation: Delaunay,
+    /// Whether the terms that shuffle nothing are averaged, too.
+    all: bool,
     /// To coordinates in which the shape fills the unit square.
     low: DVec2,
     scale: f64,
@@ -49,8 +55,9 @@ impl Average {
     }
 
     /// Over the words of as many letters as the last term, for meshes of the same size as this; the box holds the
-    /// shape.
-    pub fn new(ifs: &Ifs, mesh: &Mesh, terms: &Terms, (low, high): (DVec2, DVec2)) -> Self {
+    /// shape. `all` says whether the terms that shuffle nothing are averaged, too, where others shuffle.
+    pub fn new(ifs: &Ifs, mesh: &Mesh, terms: &Terms, (low, high): (DVec2, DVec2), all: bool) -> Self {
+        let all = all && terms.depth() > 0;
         let means = Means::new(ifs, terms.depth(), mesh, (low, high));
         let middle = means.middle();
         let middles: Vec<DVec2> =
@@ -78,10 +85,15 @@ impl Average {
         points.extend(OUTER_POINTS.map(|(x, y)| [x, y].map(|x| (x * STEPS) as i32)));
         let shares = shared.into_iter().map(|count| 1.0 / f64::from(count)).collect();
         let triangulation = Delaunay::new(points);
-        Self { maps: ifs.len(), means, middles, vertices, shares, nearest, triangulation, low, scale }
+        Self { maps: ifs.len(), means, middles, vertices, shares, nearest, triangulation, all, low, scale }
     }
 
-    /// The shuffled terms at each vertex of the triangulation.
+    /// Whether the terms that shuffle nothing are averaged, too.
+    pub const fn averages_all(&self) -> bool {
+        self.all
+    }
+
+    /// The averaged terms at each vertex of the triangulation.
     pub fn fill<S: Source>(&self, source: &S, mesh: &Mesh, terms: &Terms, factors: &[DMat2]) -> Vec<DVec2> {
         let means = source.means(&self.means);
         let mut values = vec![DVec2::ZERO; self.shares.len()];
@@ -100,6 +112,12 @@ impl Average {
                     values[vertex] += mean * self.shares[vertex];
                 }
             });
+        }
+        if self.all {
+            for ((&mean, &middle), &vertex) in means.iter().zip(&self.middles).zip(&self.vertices) {
+                let plain = terms.at(mesh, middle, &mut None).plain;
+                values[vertex as usize] += mean * (plain * self.shares[vertex as usize]);
+            }
         }
         values.extend(self.nearest.map(|i| values[i]));
         values

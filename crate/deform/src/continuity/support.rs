@@ -100,7 +100,7 @@ impl Support {
         let most = match continuity {
             Continuity::Corners => Lattice::deepest(maps),
             Continuity::Splat => Splat::deepest(maps),
-            Continuity::Average => Average::deepest(maps),
+            Continuity::Average | Continuity::Published => Average::deepest(maps),
             Continuity::Raw | Continuity::Auto => DEEPEST,
         };
         most.min(DEEPEST)
@@ -113,12 +113,20 @@ impl Support {
                 Self::Corners(Box::new(Smooth::new(Lattice::new(maps, corners.clone(), terms.depth()))))
             }
             (Continuity::Splat, _) => Self::Splat(Box::new(Splat::new(maps, terms, shape.middle, place))),
-            (Continuity::Average, _) => Self::Average(Box::new(Average::new(ifs, mesh, terms, place))),
+            (Continuity::Average | Continuity::Published, _) => {
+                let all = continuity == Continuity::Published;
+                Self::Average(Box::new(Average::new(ifs, mesh, terms, place, all)))
+            }
             _ => Self::Raw,
         }
     }
 
-    /// The table: the shuffled terms at each node.
+    /// Whether the table holds all terms, also those that shuffle nothing.
+    pub const fn holds_all(&self) -> bool {
+        matches!(self, Self::Average(average) if average.averages_all())
+    }
+
+    /// The table: the shuffled terms at each node, or all of them.
     pub fn fill<S: Source>(&self, source: &S, mesh: &Mesh, terms: &Terms, factors: &[DMat2]) -> Vec<DVec2> {
         match self {
             Self::Raw => Vec::new(),

@@ -78,7 +78,7 @@ pub fn directed_presets() -> Vec<DirectedPreset> {
         preset(
             "pentigree",
             "Pentigree",
-            "McWorter's curve of six copies, turned by multiples of 36 degrees, and five of them around a point.",
+            "McWorter's curve of six copies, each 0.382 as long, turned by multiples of 36 degrees, and five such curves around a point.",
             pentigree(),
         ),
         preset(

@@ -30,12 +30,13 @@ const SPINS: [(&str, Spin); 4] = [
     ("rotation", Spin::Rotation),
     ("scaled", Spin::Scaled),
 ];
-const JOINS: [(&str, Continuity); 5] = [
+const JOINS: [(&str, Continuity); 6] = [
     ("auto", Continuity::Auto),
     ("corners", Continuity::Corners),
     ("splat", Continuity::Splat),
     ("raw", Continuity::Raw),
     ("average", Continuity::Average),
+    ("published", Continuity::Published),
 ];
 const TERMS: [(&str, bool); 2] = [("all", true), ("last", false)];
 

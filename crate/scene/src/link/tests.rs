@@ -198,7 +198,7 @@ prop_compose! {
             proptest::array::uniform4(0.0..2.0_f64).prop_map(Roughness::Corners)
         ],
         spin in proptest::sample::select(vec![Spin::None, Spin::Orthogonal, Spin::Rotation, Spin::Scaled]),
-        continuity in proptest::sample::select(vec![Continuity::Auto, Continuity::Corners, Continuity::Splat, Continuity::Raw, Continuity::Average]),
+        continuity in proptest::sample::select(vec![Continuity::Auto, Continuity::Corners, Continuity::Splat, Continuity::Raw, Continuity::Average, Continuity::Published]),
         flags: [bool; 5],
         phase in 0.0..=1.0_f64,
         seconds in 0.5..=60.0_f64,

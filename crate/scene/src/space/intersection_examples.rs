@@ -44,7 +44,7 @@ pub fn intersection_examples() -> Vec<IntersectionExample> {
             first: fifths(&sponge),
             second: fifths(&shell),
             is_attractor: true,
-            why: "Both are made of fifths on places with even numbers. Two such pieces meet only if they are the same \
+            why: "Both are made of copies, each a fifth as long, on places with even numbers. Two such pieces meet only if they are the same \
                   piece, so that a point of both has one address, of letters that both have. The intersection is the \
                   attractor of the twelve maps that the two share.",
         },

@@ -43,37 +43,37 @@ fn shapes() -> Vec<Preset3> {
         preset(
             "tetrahedron",
             "Tetrahedron",
-            "Four halves that touch in the middles of its edges: from some sides it looks like a filled square.",
+            "Four copies, each half as long, that touch in the middles of its edges: from some sides it looks like a filled square.",
             shrunk(0.5, &TETRAHEDRON),
         ),
         preset(
             "tetrahedron-strung",
             "Strung tetrahedron",
-            "The same tetrahedron, its halves turned so that a single thread runs through all of it.",
+            "The same tetrahedron of four copies, each half as long, but turned so that a single thread runs through all of it.",
             strung(0.0),
         ),
         preset(
             "dragon",
             "Dragon of space",
-            "The strung tetrahedron with every half twisted about its thread by a third of a turn: still one thread.",
+            "The strung tetrahedron, its four copies, each half as long, twisted about their threads by a third of a turn: still one thread.",
             strung(1.0),
         ),
         preset(
             "dragon-folded",
             "Folded dragon",
-            "A thread of four halves that bends at right angles, each time out of the plane it was in.",
+            "A thread of four copies, each half as long: it bends at right angles alone, in all three directions.",
             folded(),
         ),
         preset(
             "dragon-curled",
             "Curled dragon",
-            "Four pieces of 0.58, each turned by a sixth of a turn about a corner of the tetrahedron it came from.",
+            "Four copies, each 0.58 as long, turned by a sixth of a turn about the lines through the tetrahedron's corners.",
             curled(),
         ),
         preset(
             "pyramid",
             "Pyramid",
-            "Five half-scale maps around (15, 0, 0): the eye is at the origin, as Darwish & Abd-El-Wahab have it.",
+            "Five copies, each half as long, around (15, 0, 0). The eye of Darwish & Abd-El-Wahab is at the origin, and their pyramid 30 units away.",
             pyramid(),
         ),
         preset(
@@ -85,13 +85,13 @@ fn shapes() -> Vec<Preset3> {
         preset(
             "sponge",
             "Menger sponge",
-            "Twenty thirds of a cube: no volume, and no end of surface.",
+            "Twenty copies of a cube, each a third as long: no volume, and no end of surface.",
             sponge(),
         ),
         preset(
             "octahedron",
             "Octahedron",
-            "Six halves of an octahedron: they meet along their edges and in the middle.",
+            "Six copies, each half as long: they meet along their edges and in the middle.",
             shrunk(0.5, &OCTAHEDRON),
         ),
         preset(
@@ -104,13 +104,13 @@ fn shapes() -> Vec<Preset3> {
         preset(
             "koch",
             "Koch surface",
-            "Sheets of a third on a square that folds a cube out of its middle, each sheet the same again.",
+            "A square sheet with a cube folded out of its middle: thirteen copies, each a third as long.",
             koch(),
         ),
         preset(
             "dust",
             "Cantor dust",
-            "Eight thirds in the corners of a cube: nothing but single points.",
+            "Eight copies, each a third as long, in the corners of a cube: nothing but single points.",
             shrunk(THIRD, &CUBE),
         ),
     ]

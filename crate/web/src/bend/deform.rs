@@ -46,6 +46,7 @@ pub fn bend_facts(
         Continuity::Corners => "corners",
         Continuity::Splat => "splat",
         Continuity::Average => "average",
+        Continuity::Published => "published",
         Continuity::Raw | Continuity::Auto => "raw",
     };
     Ok(object(&[

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { AT_REST } from "#document/deform/bend";
 import { momentWords } from "./strip/words";
-import { holdWords, localityWords, roughnessWords } from "./words";
+import { HOLDS, holdWords, localityWords, roughnessWords } from "./words";
 
 describe("words of the sliders", () => {
   it("say where it turns rough, and where it is plain", () => {
@@ -17,6 +17,11 @@ describe("words of the sliders", () => {
 describe("holdWords", () => {
   it("says what automatic came to, and what could not be had", () => {
     expect(holdWords("auto", "splat")).toBe("automatic: smoothing");
+    // Only what the paper does is called published: `average` leaves some terms exact.
+    expect(HOLDS.filter(({ label }) => label.includes("published")).map(({ value }) => value)).toEqual([
+      "published",
+    ]);
+    expect(holdWords("average", "average")).toBe("averages with the smooth terms exact");
     expect(holdWords("auto", null)).toBe("automatic");
     expect(holdWords("corners", "corners")).toBe("shared corners");
     expect(holdWords("corners", "raw")).toBe("nothing: shared corners cannot be had here");

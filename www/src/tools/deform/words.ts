@@ -46,9 +46,15 @@ export const HOLDS: readonly { value: Continuity; label: string; about: string }
     about: "Parts may come apart, the rougher the more: for ferns and trees, whose leaves are free to sway.",
   },
   {
-    value: "average",
+    value: "published",
     label: "Averages, as published",
-    about: "The mean of each of the smallest parts, joined by triangles. Fine tips lean on their neighbours.",
+    about:
+      "The mean of all terms over each of the smallest parts, joined by triangles. Fine tips lean on their neighbours.",
+  },
+  {
+    value: "average",
+    label: "Averages, smooth terms exact",
+    about: "Frond’s variant: the terms that shuffle nothing stay exact, and only the others are averaged.",
   },
 ];
 
@@ -56,7 +62,8 @@ const CAME_TO: Record<BendFacts["continuity"], string> = {
   corners: "shared corners",
   splat: "smoothing",
   raw: "nothing",
-  average: "averages",
+  average: "averages with the smooth terms exact",
+  published: "averages as published",
 };
 
 /** What keeps the pieces together now. */

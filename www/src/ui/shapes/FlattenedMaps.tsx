@@ -15,7 +15,9 @@ export function FlattenedMaps({ of: { maps, diverging }, most }: FlattenedMapsPr
       maps={maps.slice(0, most)}
       digits={3}
       mark="grows"
-      marked={(map, place) => diverging.some(([other, row]) => other === map && place === 3 * row + 2)}
+      marked={(map, place) =>
+        diverging.some(([other, row, column = 2]) => other === map && place === 3 * row + column)
+      }
     />
   );
 }

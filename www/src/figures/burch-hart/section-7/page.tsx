@@ -116,6 +116,7 @@ export function Page(heading: Heading) {
       captions={[
         "The recurrent iterated function systems (RIFS) constrains an iterated function system with a directed graph controlling map composition. Interpolation of RIFS attractors poses the problem of interpolating directed graphs, possibly even with a different number of vertices.",
       ]}
+      own
       reconstructed="Section 7.1 asks the question and prints no example. The shapes are from the literature (Koch 1904, Heighway, Penrose and Robinson, Rauzy 1982, McWorter 1987) and Frond’s own; graph-directed systems and their dimension are those of Mauldin & Williams (1988)."
     >
       <div class={layout["controls"]}>

@@ -109,7 +109,7 @@ export function Page(heading: Heading) {
       captions={[
         "Figure 5: Top: Histogram of the top 100 clusters. Middle: Feature points and a contracted image under the most popular map. (The slight misalignment is due to quantization error.) Bottom: Projection of 5-D hash table for parameters −0.8 ≤ a, c ≤ +0.8. (The size of each circle indicates the popularity of the associated parameters.)",
       ]}
-      reconstructed="The function is that of Figure 4, rebuilt. The paper’s bins and the votes it counted are not printed. What spills over into bins beside a higher one is left out here, as the paper proposes."
+      reconstructed="The function is that of Figure 4, rebuilt. The total of the paper’s votes is printed; the edges of its bins and the votes of each cluster are not. What spills over into bins beside a higher one is left out here, as the paper proposes."
       studio={{ href: fitHref({ mode: "graph", graph: TABLE_3_GRAPH }), label: "Open in the Fit tool" }}
     >
       <VoteProgress voting={voting} />

@@ -11,18 +11,20 @@ import { fromOrigin, VIEW } from "../space/eye";
 import { LookAgain } from "../space/look-again";
 import { triangle } from "../space/shapes";
 import { inSpaceTool } from "../space/tool-link";
-import { CUT_OFF } from "../space/triangle";
+import { THAT_OF_FIGURE_I } from "../space/triangle";
 import { ANGLES, AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
-const ANGLE = 0.06;
-/** Halves about corners at 30 have translations of 15, as printed. */
-const PRINTED = 30;
+const ANGLE = 0.045;
+/** How far it is carried along x and along y, and how it is turned: so that the table shows what is printed. */
+const PRINTED = 30.5;
+export const BESIDE = -0.3;
+const TURNED: Angles = [-28, 21, 154];
 
 /** What stands in its address. */
 export const STATE = {
-  angles: kept<Angles>([20, 30, -65], ANGLES),
+  angles: kept(TURNED, ANGLES),
   away: kept(PRINTED, number(20, 90, 1)),
-  view: kept(fromOrigin([PRINTED, 0, 0], ANGLE), VIEW),
+  view: kept(fromOrigin([PRINTED, BESIDE, 0], ANGLE), VIEW),
 };
 
 /** What must be there before it is shown. */
@@ -34,8 +36,8 @@ export function Page(heading: Heading) {
   const [away, setAway] = useKept("away", ...STATE.away);
   const [view, setView] = useKept("view", ...STATE.view);
   const made = useMemo(() => triangle("halves"), []);
-  const by = useMemo(() => after3(shift3([away, 0, 0]), turns3(inRadians(angles))), [angles, away]);
-  const home = fromOrigin([away, 0, 0], ANGLE);
+  const by = useMemo(() => after3(shift3([away, BESIDE, 0]), turns3(inRadians(angles))), [angles, away]);
+  const home = fromOrigin([away, BESIDE, 0], ANGLE);
   return (
     <Frame
       {...heading}
@@ -44,6 +46,7 @@ export function Page(heading: Heading) {
           In the paper the eye never moves: it sits at the origin and looks along x. To be seen, a shape has
           to be carried before it, and that, too, is done to the parameters. The first translations in the
           print are 14.99 and 15.33: as the maps are halves, their corners are twice as far away, at about 30.
+          The page begins there.
         </p>
       }
       found={
@@ -59,11 +62,12 @@ export function Page(heading: Heading) {
           value: `${fixed(angles[k] ?? 0, 0)}°`,
         })),
         { name: "Carried along x", value: fixed(away, 1) },
+        { name: "Carried along y", value: fixed(BESIDE, 1) },
         { name: "Eye", value: "(0, 0, 0), looking along x" },
         { name: "Height of the picture", value: `${fixed((ANGLE * 180) / Math.PI, 1)}°` },
       ]}
       captions={["Fig iii (After more rotations)"]}
-      reconstructed={CUT_OFF}
+      reconstructed={`Printed are the matrices, 0.50 on the diagonal and ±0.00 beside it (one looks like −0.90), and four numbers of the translations: 14.99 and −0.08 of the first map, 15.33 of the second, −0.45 of the third. The angles and the move are not printed: these bring out all four. ${THAT_OF_FIGURE_I}`}
       studio={inSpaceTool([{ name: "Triangle", maps: made, moved: by }], view)}
     >
       <Conjugated

@@ -1,8 +1,7 @@
-import { turns3 } from "#geometry/maps/affine3";
-import { triangle } from "../space/shapes";
-import { FRONT, turnedHalves } from "../space/small";
+import { PRINTED_MIDDLE, printedTriangle } from "../space/shapes";
+import { ALONG_X } from "../space/small";
 import { SpaceDots } from "../space/space-dots";
 
-const MAPS = turnedHalves(triangle("halves"), turns3([1, 0.9, 0.5]));
+const MAPS = printedTriangle();
 
-export const Thumb = () => <SpaceDots maps={MAPS} view={FRONT} />;
+export const Thumb = () => <SpaceDots maps={MAPS} view={{ ...ALONG_X, target: PRINTED_MIDDLE }} />;

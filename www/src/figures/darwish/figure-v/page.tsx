@@ -11,7 +11,7 @@ import { number } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
 import { fromOrigin, VIEW } from "../space/eye";
 import { LookAgain } from "../space/look-again";
-import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
+import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid, pyramidMiddle } from "../space/shapes";
 import { inSpaceTool } from "../space/tool-link";
 import { Conjugated } from "../space/turning";
 
@@ -20,7 +20,7 @@ const STILL = scale3([1, 1, 1]);
 /** What stands in its address. */
 export const STATE = {
   away: kept(PYRAMID_AWAY, number(12, 40, 1)),
-  view: kept(fromOrigin([PYRAMID_AWAY, 0, 0], PYRAMID_ANGLE), VIEW),
+  view: kept(fromOrigin(pyramidMiddle(PYRAMID_AWAY), PYRAMID_ANGLE), VIEW),
 };
 
 /** What must be there before it is shown. */
@@ -30,9 +30,9 @@ export const needs = [loadSpace];
 export function Page(heading: Heading) {
   const [away, setAway] = useKept("away", ...STATE.away);
   const [view, setView] = useKept("view", ...STATE.view);
-  const made = useMemo(() => pyramid([PYRAMID_AWAY, 0, 0]), []);
+  const made = useMemo(() => pyramid(pyramidMiddle(PYRAMID_AWAY)), []);
   const by = useMemo(() => (away === PYRAMID_AWAY ? STILL : shift3([away - PYRAMID_AWAY, 0, 0])), [away]);
-  const home = fromOrigin([away, 0, 0], PYRAMID_ANGLE);
+  const home = fromOrigin(pyramidMiddle(away), PYRAMID_ANGLE);
   return (
     <Frame
       {...heading}
@@ -46,25 +46,25 @@ export function Page(heading: Heading) {
       found={
         <p>
           Its dimension is ln 5 / ln 2 = 2.322, more than a surface and less than a solid, although its base
-          is a filled square and its four sides are Sierpinski’s triangles. In the print the first
-          translations are about 15; for halves that puts the corners at about 30. Press the button to see it
-          from there.
+          is a filled square and its four sides are Sierpinski’s triangles. In the print the first translation
+          is 15.0; for a half that puts the corner at 30.
         </p>
       }
       parameters={[
         { name: "Maps", symbol: "N", value: "5" },
         { name: "Matrix of each", symbol: "A", value: [tex`\operatorname{diag}(0.5, 0.5, 0.5)`] },
-        { name: "Base", value: "0.8 by 0.8 units, 0.6 below the tip" },
+        { name: "Base", value: "0.8 by 0.8 units, 0.8 below the tip" },
         { name: "Distance of its middle", value: fixed(away, 1) },
         { name: "Eye", value: "(0, 0, 0), looking along x" },
         { name: "Height of the picture", value: `${fixed((PYRAMID_ANGLE * 180) / Math.PI, 1)}°` },
       ]}
       captions={["Fig v a Fractal pyramid"]}
-      reconstructed="The scan of the paper cuts the parameters off, and prints the rest to one decimal. That they are five halves at some distance before the eye can be read; the corners are Frond’s own."
+      reconstructed="The paper prints the parameters to one decimal, and the scan cuts them off. 0.5 I can be read, 15.0 as the first translation of the first map, and 0.3 in two places that cannot be told. The distance and the base are chosen so that these numbers come out; the rest of the corners is Frond’s own."
       studio={inSpaceTool([{ name: "Pyramid", maps: made, moved: by }], view)}
     >
       <Conjugated
         wide
+        digits={1}
         made={made}
         by={by}
         view={view}
@@ -84,10 +84,10 @@ export function Page(heading: Heading) {
           />
           <div class={layout["buttons"]}>
             <Button onClick={() => setAway(PYRAMID_AWAY)} pressed={away === PYRAMID_AWAY}>
-              15 units
+              As in print
             </Button>
-            <Button onClick={() => setAway(30)} pressed={away === 30}>
-              As the print has it: 30
+            <Button onClick={() => setAway(15)} pressed={away === 15}>
+              From half as far: 15
             </Button>
             <LookAgain view={view} home={home} onView={setView} />
           </div>

@@ -3,28 +3,28 @@ import { fixed } from "#format/numbers";
 import { about3, apply3, turns3 } from "#geometry/maps/affine3";
 import { Button } from "#ui/controls/Button";
 import { loadSpace } from "#wasm/space";
-import { Choice } from "../../kit/frame/control";
+import { Choice, SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { tex } from "../../kit/notation/tex";
-import { oneOf } from "../../kit/state/fields";
+import { number, oneOf } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
 import { fromOrigin, seen, VIEW } from "../space/eye";
 import { LookAgain } from "../space/look-again";
-import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
+import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid, pyramidMiddle } from "../space/shapes";
 import spaceCss from "../space/space.module.css";
 import { inSpaceTool } from "../space/tool-link";
 import { ANGLES, AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
-const MIDDLE = [PYRAMID_AWAY, 0, 0] as const;
-const HOME = fromOrigin([...MIDDLE], PYRAMID_ANGLE);
-const START: Angles = [0, 20, 40];
+/** So that the first translations are those that can be read in print. */
+const START: Angles = [0, -45, -20];
 
 /** What stands in its address. */
 export const STATE = {
   angles: kept(START, ANGLES),
   about: kept<"itself" | "eye">("itself", oneOf(["itself", "eye"])),
-  view: kept(HOME, VIEW),
+  away: kept(PYRAMID_AWAY, number(12, 40, 1)),
+  view: kept(fromOrigin(pyramidMiddle(PYRAMID_AWAY), PYRAMID_ANGLE), VIEW),
 };
 
 /** What must be there before it is shown. */
@@ -34,13 +34,16 @@ export const needs = [loadSpace];
 export function Page(heading: Heading) {
   const [angles, setAngles] = useKept("angles", ...STATE.angles);
   const [about, setAbout] = useKept("about", ...STATE.about);
+  const [away, setAway] = useKept("away", ...STATE.away);
   const [view, setView] = useKept("view", ...STATE.view);
-  const made = useMemo(() => pyramid([...MIDDLE]), []);
+  const middle = useMemo(() => pyramidMiddle(away), [away]);
+  const home = fromOrigin(middle, PYRAMID_ANGLE);
+  const made = useMemo(() => pyramid(middle), [middle]);
   const by = useMemo(() => {
     const turn = turns3(inRadians(angles));
-    return about === "itself" ? about3(turn, [...MIDDLE]) : turn;
-  }, [angles, about]);
-  const [x, y, depth] = seen(view)(apply3(by, [...MIDDLE]));
+    return about === "itself" ? about3(turn, middle) : turn;
+  }, [angles, about, middle]);
+  const [x, y, depth] = seen(view)(apply3(by, middle));
   const behind = depth < 0;
   const gone = behind || Math.abs(x) > 2.5 || Math.abs(y) > 1.6;
   return (
@@ -64,11 +67,15 @@ export function Page(heading: Heading) {
           name: `Turned about ${axis}`,
           value: `${fixed(angles[k] ?? 0, 0)}°`,
         })),
-        { name: "What stays", value: about === "itself" ? "(15, 0, 0), its middle" : "(0, 0, 0), the eye" },
+        {
+          name: "What stays",
+          value: about === "itself" ? `(${middle.join(", ")}), its middle` : "(0, 0, 0), the eye",
+        },
+        { name: "Distance of its middle", value: fixed(away, 1) },
         { name: "Matrix of each map", symbol: "A", value: [tex`\operatorname{diag}(0.5, 0.5, 0.5)`] },
       ]}
       captions={["Fig vi Rotation of v"]}
-      reconstructed="The angles are not printed, and of the parameters only a part is left. The first translations, 15.1 to 15.5 after the turn, say that it was turned about itself."
+      reconstructed="The scan cuts the parameters off. 0.5 I can be read, and the first translations of four maps, 15.1, 15.3, 15.4 and 15.5: so it was turned about itself. The angles are not printed: these bring out all four. The pyramid is that of Figure v, whose corners are reconstructed. Numbers of 0.1 and 0.0 are left of other rows, in places that cannot be told."
       studio={inSpaceTool([{ name: "Pyramid", maps: made, moved: by }], view)}
     >
       <div class={layout["buttons"]}>
@@ -85,10 +92,11 @@ export function Page(heading: Heading) {
         <Button kind="quiet" icon="reset" onClick={() => setAngles([0, 0, 0])}>
           As in Figure v
         </Button>
-        <LookAgain view={view} home={HOME} onView={setView} />
+        <LookAgain view={view} home={home} onView={setView} />
       </div>
       <Conjugated
         wide
+        digits={1}
         made={made}
         by={by}
         view={view}
@@ -103,6 +111,26 @@ export function Page(heading: Heading) {
             : "The pyramid is before the eye."}
         </p>
         <AngleSliders angles={angles} onChange={setAngles} />
+        <div class={layout["controls"]}>
+          <SliderControl
+            label="distance"
+            name="Distance from the eye"
+            range={[12, 40]}
+            step={0.5}
+            value={away}
+            text={fixed(away, 1)}
+            valueText={`${fixed(away, 1)} units`}
+            onChange={(next) => setAway(Math.round(10 * next) / 10)}
+          />
+          <div class={layout["buttons"]}>
+            <Button onClick={() => setAway(PYRAMID_AWAY)} pressed={away === PYRAMID_AWAY}>
+              As in print
+            </Button>
+            <Button onClick={() => setAway(15)} pressed={away === 15}>
+              From half as far: 15
+            </Button>
+          </div>
+        </div>
       </Conjugated>
     </Frame>
   );

@@ -54,7 +54,7 @@ export function Page(heading: Heading) {
       ]}
       captions={["Fig vii a natural scene"]}
       own
-      reconstructed="The maps of this scene were made here: of the paper’s, the print shows nine numbers that look like the matrix of one map, the last digit of one cut off, and pieces of another; its picture is hard to make out. That a scene has several objects and is seen from the origin is the paper’s. Figure viii shows what can be read."
+      reconstructed="The maps of this scene were made here: of the paper’s, the print shows nine numbers that look like the matrix of one map, the last digit of one cut off, with 1.09 as its third translation, and the last row of another, 0.05, −0.42, 0.34 with −1.64; its picture is hard to make out. That a scene has several objects and is seen from the origin is the paper’s. Figure viii shows what can be read."
       studio={inSpaceTool(made, home)}
     >
       <Scenery

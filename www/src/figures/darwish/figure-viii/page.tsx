@@ -15,7 +15,17 @@ import { MIDDLE, Scenery, useScene } from "../space/scenery";
 import { inSpaceTool } from "../space/tool-link";
 import { ANGLES, AngleSliders, type Angles, inRadians } from "../space/turning";
 import css from "./page.module.css";
-import { FIGURE_VII, FIGURE_VIII, farthest, type Matrix3, TURN, turned } from "./printed-matrices";
+import {
+  FIGURE_VII,
+  FIGURE_VIII,
+  farthest,
+  farthestOfSecond,
+  type Matrix3,
+  SECOND_VII,
+  SECOND_VIII,
+  TURN,
+  turned,
+} from "./printed-matrices";
 
 const START: Angles = [0, 0, 50];
 const NONE: Angles = [0, 0, 0];
@@ -57,8 +67,9 @@ export function Page(heading: Heading) {
           <Printed label="Fig viii" rows={FIGURE_VIII} />
           <p>
             It shrinks a plane to 0.54 and flattens what is across it, so that it is a map of something flat.
-            Of its translation only 25.59 is left, and of the map beside it six numbers: that is too little to
-            draw.
+            Of its translation 25.59 is left. Of the map beside it the first two numbers of each row can be
+            read, {SECOND_VIII.map(([a, b]) => `(${minus(a)}, ${minus(b)})`).join(", ")}, then 0.36, and 7.02
+            of its translation. That is too little to draw.
           </p>
           <Printed label="Fig vii" rows={FIGURE_VII} />
           <p>
@@ -68,6 +79,11 @@ export function Page(heading: Heading) {
             {formatNumber(farthest(turned(FIGURE_VII, TURN), FIGURE_VIII), 4)}, which is the rounding of the
             print. Turns from some 150° to 170° about axes nearby do about as well, so that the paper’s own
             cannot be told.
+          </p>
+          <p>
+            Behind them stand 1.09, the third translation of this map, and ({SECOND_VII.map(minus).join(", ")}
+            ) with −1.64, the last row of a second map. The same turn fits these as well: by eq 1 it takes
+            this row to what the two columns above give, to {formatNumber(farthestOfSecond(), 4)}.
           </p>
         </>
       }
@@ -84,7 +100,7 @@ export function Page(heading: Heading) {
       ]}
       captions={["Fig viii Rotation of vii"]}
       own
-      reconstructed="The scene and its maps were made here, as in Figure vii, and the angles are chosen here: the paper prints none. The one matrix that it prints whole is shown on this page; no shape here is drawn with it."
+      reconstructed="The scene and its maps were made here, as in Figure vii, and the angles are chosen here: the paper prints none. What can be read of two maps is shown on this page; no shape here is drawn with it."
       studio={inSpaceTool(
         made.map((object) => ({ ...object, moved: by })),
         home,
@@ -107,6 +123,8 @@ export function Page(heading: Heading) {
     </Frame>
   );
 }
+
+const minus = (x: number) => fixed(x, 2).replace("-", "−");
 
 /** Nine numbers as they stand in print. */
 function Printed({ label, rows }: { label: string; rows: Matrix3 }) {

@@ -1,10 +1,27 @@
 import { expect, test } from "vitest";
-import { FIGURE_VII, FIGURE_VIII, farthest, TURN, turned } from "./printed-matrices";
+import {
+  FIGURE_VII,
+  FIGURE_VIII,
+  farthest,
+  farthestOfSecond,
+  SECOND_VII,
+  SECOND_VIII,
+  TURN,
+  turned,
+} from "./printed-matrices";
 
 test("a turn brings what is printed of Figure vii onto the matrix of Figure viii, to the rounding of the print", () => {
   expect(farthest(FIGURE_VII, FIGURE_VIII)).toBeGreaterThan(0.2);
   // Two decimals are printed: 0.005 either way.
   expect(farthest(turned(FIGURE_VII, TURN), FIGURE_VIII)).toBeLessThan(0.005);
+});
+
+test("the same turn brings the last row of a second matrix onto two columns of it, to the rounding of the print", () => {
+  expect(SECOND_VII).toEqual([0.05, -0.42, 0.34]);
+  expect(SECOND_VIII.flat()).toEqual([0.18, -0.31, -0.23, 0.42, 0.26, -0.3]);
+  // Each is a sum of three numbers that may be 0.005 off, by cosines; on either side.
+  expect(farthestOfSecond()).toBeLessThan(2 * 0.005 * Math.sqrt(3));
+  expect(farthestOfSecond()).toBeCloseTo(0.0038, 4);
 });
 
 test("it shrinks a plane to 0.54 and flattens what is across", () => {

@@ -10,6 +10,16 @@ export const FIGURE_VIII: Matrix3 = [
   [0.15, -0.14, 0.5],
 ];
 
+/** Two columns, row by row, of a second matrix under Figure viii. Behind them stand 0.36, and 7.02 of a translation. */
+export const SECOND_VIII: readonly (readonly [number, number])[] = [
+  [0.18, -0.31],
+  [-0.23, 0.42],
+  [0.26, -0.3],
+];
+
+/** The last row of a second matrix under Figure vii. Behind it stands -1.64, and before it 1.09, of translations. */
+export const SECOND_VII: Point3 = [0.05, -0.42, 0.34];
+
 /** Nine numbers under Figure vii. The sixth is cut off after its first decimal, and taken as -0.10. */
 export const FIGURE_VII: Matrix3 = [
   [0.39, -0.01, -0.27],
@@ -46,6 +56,21 @@ function turnAbout({ axis, degrees }: typeof TURN): Matrix3 {
 export function turned(matrix: Matrix3, by: typeof TURN): Matrix3 {
   const turn = turnAbout(by);
   return product(product(turn, matrix), transposed(turn));
+}
+
+/**
+ * How far two numbers that follow from both figures are apart, at most. With M' = T M T^-1 and u the last row of T^-1,
+ * u M' is the last row of M by T^-1: of its three numbers the print of Figure viii gives two.
+ */
+export function farthestOfSecond(): number {
+  const turn = turnAbout(TURN);
+  return Math.max(
+    ...([0, 1] as const).map((k) => {
+      const there = SECOND_VIII.reduce((sum, row, i) => sum + at(turn, i, 2) * row[k], 0);
+      const here = SECOND_VII.reduce((sum, x, j) => sum + x * at(turn, k, j), 0);
+      return Math.abs(there - here);
+    }),
+  );
 }
 
 /** The largest difference between two numbers in the same place. */

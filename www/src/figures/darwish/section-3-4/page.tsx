@@ -126,7 +126,7 @@ export function Page(heading: Heading) {
       captions={["3.4. Linear Transformations to IFS fractals"]}
       own
       reconstructed="The section has no figure: this one is made here, on shapes of Frond’s gallery."
-      differs="The paper proves eq 1 for transforms of any dimension, and shows it in space only."
+      differs="The paper proves eq 1 for transforms of any dimension, and shows it in space only. Its matrix of a rotation about z turns clockwise; angles here are counter-clockwise."
       studio={{ href: studioHref({ a: { name: shape.name, maps: now }, b: other }) }}
     >
       <div class={layout["controls"]}>

@@ -2,7 +2,6 @@ import { useMemo } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { formatNumber } from "#format/numbers";
 import { axisWords, divergingWords, unit } from "#format/placement";
-import { turns3 } from "#geometry/maps/affine3";
 import { ShadowPicture } from "#stage/ShadowPicture";
 import { Segmented } from "#ui/controls/Segmented";
 import { FlattenedMaps } from "#ui/shapes/FlattenedMaps";
@@ -14,7 +13,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { number, oneOf, optional } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
-import { VIEW } from "../space/eye";
+import { fromOrigin, orbited, VIEW } from "../space/eye";
 import spaceCss from "../space/space.module.css";
 import { SpaceDots } from "../space/space-dots";
 import { inSpaceTool, presetMaps } from "../space/tool-link";
@@ -39,17 +38,10 @@ const MAPS_SHOWN = 4;
 
 function flattened(maps: MapRow3[], direction: Point3, epsilon: number): EpsilonProjection | { why: string } {
   try {
-    return solid.epsilonProjection(maps, direction, epsilon);
+    return solid.epsilonProjection(maps, direction, epsilon, { frame: "space" });
   } catch (problem) {
     return { why: wordsOf(problem) };
   }
-}
-
-/** Its y, which is up in the shadow, up in the picture, too. */
-const UPRIGHT = turns3([Math.PI / 2, 0, 0]);
-
-function upright(flat: EpsilonProjection | { why: string }): MapRow3[] | null {
-  return "why" in flat ? null : solid.conjugate3(flat.maps, UPRIGHT);
 }
 
 function exactCount(maps: MapRow3[], direction: Point3): number | null {
@@ -60,11 +52,12 @@ function exactCount(maps: MapRow3[], direction: Point3): number | null {
   }
 }
 
-/** From the side, so that the thickness is seen, around a flattened shape. */
-function sideView(maps: MapRow3[]): SpaceView | null {
+/** Beside the line of sight, so that the thickness is seen, around a shape. */
+function sideView(maps: MapRow3[], direction: Point3): SpaceView | null {
   try {
     const { centre, radius } = solid.facts3(maps);
-    return { target: centre, distance: 3.6 * radius, turn: 0.5, tilt: 0.28, angle: 0.55 };
+    const { turn, tilt } = fromOrigin(direction, 1);
+    return orbited({ target: centre, distance: 3.6 * radius, turn, tilt, angle: 0.55 }, 0.5, 0.28);
   } catch {
     return null;
   }
@@ -91,12 +84,11 @@ export function Page(heading: Heading) {
   const epsilon = Number((10 ** power).toPrecision(2));
   const flat = useMemo(() => flattened(maps, direction, epsilon), [maps, direction, epsilon]);
   const exact = useMemo(() => exactCount(maps, direction), [maps, direction]);
-  const first = useMemo(() => flattened(maps, direction, 1), [maps, direction]);
   // The view is that of the shape before it is flattened, so that it is seen to become thin.
-  const whole = useMemo(() => sideView(upright(first) ?? []), [first]);
+  const whole = useMemo(() => sideView(maps, direction), [maps, direction]);
   const [turned, setTurned] = useKept("view", ...STATE.view);
   const view = turned ?? whole;
-  const shown = useMemo(() => upright(flat), [flat]);
+  const shown = "why" in flat ? null : flat.maps;
   return (
     <Frame
       {...heading}
@@ -104,15 +96,16 @@ export function Page(heading: Heading) {
         <p>
           To throw a shadow, says section 3.5, scale the shape by a very small ε along the line of sight: that
           is a transform like any other, and what is left is the shadow, coded by parameters. The picture
-          agrees. The parameters do not: in each matrix the two upper numbers of the third column are divided
-          by ε, and as ε goes to 0 they grow without end.
+          agrees. The parameters do not: along z, the two upper numbers of the third column of each matrix are
+          divided by ε, and as ε goes to 0 they grow without end. Along x and y it is the first and the second
+          column.
         </p>
       }
       found={
         <p>
           {exact === null
             ? "From here some of these numbers are not 0, and the limit is no set of parameters at all. The shadow is there, but it need not be the attractor of any maps of the plane: where a point of the shadow goes hangs on how deep behind it the point of the shape lies."
-            : `From here they all are 0: every map takes the line of sight to itself, and nothing grows. What is left, when z is dropped, are ${exact} maps of the plane whose attractor is the shadow, exactly. The Space tool takes such a shadow into the morph.`}
+            : `From here they all are 0: every map takes the line of sight to itself, and nothing grows. What is left, when the line of sight is dropped, are ${exact} maps of the plane whose attractor is the shadow, exactly. The Space tool takes such a shadow into the morph.`}
         </p>
       }
       parameters={[
@@ -121,6 +114,7 @@ export function Page(heading: Heading) {
           value: `${SHAPES.find(({ value }) => value === shape)?.label}, ${maps.length} maps`,
         },
         { name: "Line of sight", value: axisWords(direction) },
+        { name: "Axes of the parameters", value: "those of the shape, as in the paper" },
         { name: "Thickness left", symbol: "ε", value: formatNumber(epsilon, 6) },
         {
           name: "Largest number",
@@ -200,12 +194,10 @@ export function Page(heading: Heading) {
             {divergingWords(flat.diverging)}
           </p>
           <FlattenedMaps of={flat} most={MAPS_SHOWN} />
-          {flat.maps.length > MAPS_SHOWN && (
-            <p class={layout["choice-label"]}>
-              The first {MAPS_SHOWN} of {flat.maps.length} maps. x to the right, y up, z along the line of
-              sight.
-            </p>
-          )}
+          <p class={layout["choice-label"]}>
+            {flat.maps.length > MAPS_SHOWN && `The first ${MAPS_SHOWN} of ${flat.maps.length} maps. `}
+            In the axes of the shape, as in the paper: along z the scale is diag(1, 1, ε).
+          </p>
         </div>
       )}
     </Frame>

@@ -2,14 +2,23 @@
 
 import { about3, after3, scale3, shift3 } from "#geometry/maps/affine3";
 import type { MapRow3, SpaceView } from "#wasm/api";
+import { PYRAMID_AWAY, pyramidMiddle, TRIANGLE_MIDDLE } from "./shapes";
 
-export const FRONT: SpaceView = { target: [0, 0, 0], distance: 3, turn: 0.35, tilt: 0.2, angle: 0.46 };
-export const FROM_FAR: SpaceView = {
-  target: [15, 0, 0],
-  distance: 15,
+export const FRONT: SpaceView = { target: TRIANGLE_MIDDLE, distance: 3, turn: 0.35, tilt: 1.2, angle: 0.36 };
+/** Along x, as the eye of the paper looks, but from nearby. */
+export const ALONG_X: SpaceView = {
+  target: [0, 0, 0],
+  distance: 3,
   turn: -Math.PI / 2,
   tilt: 0,
-  angle: 0.075,
+  angle: 0.36,
+};
+export const FROM_FAR: SpaceView = {
+  target: pyramidMiddle(PYRAMID_AWAY),
+  distance: PYRAMID_AWAY,
+  turn: -Math.PI / 2,
+  tilt: 0,
+  angle: 0.045,
 };
 
 /** Halves keep their matrices when they are turned: what is moved is where their corners are. */

@@ -78,7 +78,7 @@ export function Page(heading: Heading) {
       captions={[
         "Figure 3: Examples of ext-unit-IST's on geometric shapes. (a) A unit cube. (b) A Sierpinski gasket.",
       ]}
-      reconstructed="Rows, columns and the roughness of the superposition are the paper’s (section 5.2, eqs 10 to 12). The colour function is not printed: it is made from the words “upper left part redder, lower right part bluer, and the lower left part or upper right part greener”. Where each row begins is reconstructed, too."
+      reconstructed="Rows, columns and the roughness of the superposition are the paper’s (section 5.2, eqs 10 to 12). The colour function is not printed: it is made from the text, which has the upper left redder, the lower right bluer, and the lower left or upper right greener than other parts. Where each row begins is reconstructed, too."
       studio={{
         href: studioHref({
           a: subject === "square" ? { name: "Square of four", maps: squareMaps(2) } : RIGHT,

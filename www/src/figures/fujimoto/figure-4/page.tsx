@@ -92,14 +92,15 @@ export function Page(heading: Heading) {
         { name: "Corner of H that no piece reaches", value: "0.92, so that δ is even across the shape" },
       ]}
       captions={["Figure 4: Fractal deformations of a Sierpinski gasket. ke = 9."]}
-      reconstructed="The maps, ke, the kb of B and F and all values of δ are printed (section 5.3, example 1, eq 18). The kb of C to E, the mesh and the moments are not: they are made from the text, which has the midpoint of the hypotenuse lifted. Neighbouring triangles are kept together at the corners they share, instead of by averages and a triangulation."
+      reconstructed="The maps, ke, the kb of B and F and the δ of B, G and H are printed (section 5.3, example 1, eq 18). The δ of C to F and the kb of G and H are taken to be those of B. The kb of C to E, the mesh and the moments t₁ and t₂ are not printed: they are made from the text, which has the midpoint of the hypotenuse lifted."
+      differs="Neighbouring triangles are kept together at the corners they share, instead of by averages and a triangulation. In H the paper gives each part one δ; here δ changes evenly across the shape."
       studio={{ href: bentHref("Right gasket", GASKET, liftOf({ kb, phase: t })) }}
     >
       <Time time={time} words={t === 0 ? "at rest" : `${Math.round(100 * t)}% lifted`} />
       <div class={layout["controls"]}>
         <Choice
-          label="As printed"
-          name="Moments that are printed"
+          label="Frames of the figure"
+          name="The moments of frames (a), (b) and (c)"
           options={MOMENTS}
           value={MOMENTS.find(({ value }) => Number(value) === t)?.value ?? ("" as "0")}
           onChange={(value) => time.go(Number(value))}

@@ -117,7 +117,7 @@ export const EXAMPLES: readonly Example[] = [
   {
     id: "noisy",
     name: "Measured, with noise",
-    about: "Three maps under noise of one percent of the height. Smoothing brings them back.",
+    about: "Three maps under noise of 1.7 percent of the height. Smoothing brings them back.",
     features: [65, 129],
     smoothing: 0.002,
     make: () => noisy(sampled(RIDGE, [0, 1], 4097), 0.01, 7),

@@ -49,7 +49,7 @@ export const EXAMPLES: readonly Example[] = [
     id: "arrowhead",
     name: "Arrowhead",
     about:
-      "Three copies of half the size, two of them mirrored: the gasket as one curve, the side view of Figure 3.",
+      "Three copies, each half as long, two of them mirrored: the gasket as one curve, the side view of Figure 3.",
     make: () =>
       similar(
         [
@@ -64,7 +64,8 @@ export const EXAMPLES: readonly Example[] = [
   {
     id: "dragon",
     name: "Dragon",
-    about: "Two copies, turned by an eighth to each side, the second run backwards (Heighway’s dragon).",
+    about:
+      "Two copies, each 1/√2 as long, turned by 45 degrees to either side; the second runs backwards (Heighway’s dragon).",
     make: () =>
       similar(
         [

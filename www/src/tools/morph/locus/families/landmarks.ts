@@ -16,7 +16,7 @@ export interface Landmark {
 const LATTICE =
   "Bandt & Gelbrich (1994): besides a rectangle the two twin dragons are all that two copies tile so";
 const SERIES =
-  "the only series of 1, 0 and −1 that is 0 there, computed here, so that the halves share one point. On such series " +
+  "the only series of 1, 0 and −1 that is 0 there, computed here, so that the two pieces share one point. On such series " +
   "Bandt (2002); that the map looks like itself at such points, Solomyak (2005)";
 
 const OF_M: readonly Landmark[] = [
@@ -50,7 +50,7 @@ const OF_M: readonly Landmark[] = [
   },
   {
     name: "Dendrite",
-    about: "s ≈ 0.5957 + 0.2544 i, where 1 − 2s + 2s³ = 0: a tree, whose halves meet in one point",
+    about: "s ≈ 0.5957 + 0.2544 i, where 1 − 2s + 2s³ = 0: a tree, whose two pieces meet in one point",
     source: `1 − s − s² + s³ + s⁴ + s⁵ + …: ${SERIES}`,
     s: [0.5957439419765593, 0.254425889416369],
     zoom: 20,

@@ -50,11 +50,11 @@ export function Epsilon({ maps, direction, format }: EpsilonProps) {
             The largest number is {format(found.largest)}. {divergingWords(found.diverging)}
           </p>
           <FlattenedMaps of={found} most={MAPS_SHOWN} />
-          {found.maps.length > MAPS_SHOWN && (
-            <p class="hint">
-              The first {MAPS_SHOWN} of {found.maps.length} maps; z runs along the light.
-            </p>
-          )}
+          <p class="hint">
+            {found.maps.length > MAPS_SHOWN && `The first ${MAPS_SHOWN} of ${found.maps.length} maps. `}
+            In the axes of the shadow: x to the right, y up, z along the light. They are left-handed, so these
+            are the maps of a mirror image.
+          </p>
         </>
       )}
     </>
