@@ -27,7 +27,7 @@ fn unnumbered(morph: &DirectedMorph, [u, v]: [f64; 2], swapped: bool) -> Vec<((u
     let names: Vec<_> = morph.states().iter().map(name).collect();
     let state = |maps: &Vec<DirectedMap>| {
         let told = |part: &DirectedMap| {
-            let row = part.map.to_row().map(|x| (x * 1e6).round() / 1e6 + 0.0);
+            let row = part.map.to_row().map(|x| (x * 1e6 + 0.123).round() / 1e6);
             format!("{:?} {row:?}", names[part.from])
         };
         let mut maps: Vec<String> = maps.iter().map(told).collect();

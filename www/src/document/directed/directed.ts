@@ -11,7 +11,7 @@ import { directedBoxAt } from "../stand-in";
 import { halfTurnsOf } from "./changes";
 
 /** The shapes of the document. */
-export const directedShapes: ReadonlySignal<Scene["directed"] | null> = computed(
+export const directedShapes: ReadonlySignal<NonNullable<Scene["directed"]> | null> = computed(
   () => scene.value.directed ?? null,
 );
 
