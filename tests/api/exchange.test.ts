@@ -81,6 +81,10 @@ describe("files of other programs", () => {
     expect(refused(() => exchange.importFile(DOT))).toBe("file-no-link");
     expect(refused(() => exchange.exportMaps({ maps: [] }, "json"))).toBe("export-nothing");
     expect(refused(() => exchange.exportMaps({ maps: wrong([[1, 2]]) }, "json"))).toBe("bad-input");
+    const [maps, probabilities] = [[[0.5, 0, 0, 0.5, 0, 0]], [0.5, 0.5]];
+    expect(refused(() => exchange.exportMaps({ maps: wrong(maps), probabilities }, "json"))).toBe(
+      "export-weights",
+    );
     expect(refused(() => exchange.exportMaps({ maps: [[0.5, 0, 0, 0.5, 0, 0]] }, wrong("pdf")))).toBe(
       "bad-input",
     );

@@ -139,6 +139,11 @@ describe("space", () => {
     expect(refused(() => space.projectExactly(preset("dragon"), [0, 0, 1]))).toBe("project-not-kept");
     expect(refused(() => space.parseIfs3("a (3D) { 1 2 }"))).toBe("ifs-count");
     expect(space.parseIfs3(space.writeIfs3("tetra", tetrahedron()))).toHaveLength(1);
+    // The second map has no weight: none is handed to another map.
+    const rows = [" 0.7", "", " 0.2"].map((weight) => `.5 0 0 0 .5 0 0 0 .5 0 0 0${weight}\n`);
+    expect(space.parseIfs3(`a (3D) {\n${rows.join("")}}`)).toMatchObject([
+      { probabilities: [], remarks: [expect.stringMatching(/^Map 2 has no weight/)] },
+    ]);
     const halves = wrong([
       [0.5, 0, 0, 0.5, 0, 0],
       [0.5, 0, 0, 0.5, 0.5, 0],

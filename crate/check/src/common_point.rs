@@ -4,6 +4,8 @@ use num_bigint::BigInt;
 
 use crate::connected::Address;
 use crate::polygon::Scene;
+use crate::refused::Refused;
+use crate::work::product;
 
 /// An affine map: its row as whole numbers times `2^-bits`.
 struct Map {
@@ -17,11 +19,26 @@ struct Point {
     under: BigInt,
 }
 
-impl Scene {
+impl Scene<'_> {
+    /// What [`Self::coincide`] takes.
+    pub fn cost_coincide(&self, addresses: &[Address; 2]) -> u64 {
+        let [a, b] = addresses.each_ref().map(|Address { head, repeat }| {
+            let [head, repeat] = [head.len(), repeat.len()].map(|letters| letters as u64);
+            let [once, round] = [head, repeat].map(|letters| letters * self.letter);
+            // A product of maps for each letter; the point that repeats, and where the head takes it.
+            let maps = [(head, once), (repeat, round)]
+                .map(|(letters, end)| letters.saturating_mul(10 * product(end, self.letter)));
+            let point = 8 * product(round, round) + 8 * product(once, 2 * round);
+            (maps[0].saturating_add(maps[1]).saturating_add(point), once + 2 * round)
+        });
+        a.0.saturating_add(b.0).saturating_add(4 * product(a.1, b.1))
+    }
+
     /// Whether two addresses are of one point. Letters are known to be maps, and those that repeat to contract.
-    pub fn coincide(&self, [a, b]: &[Address; 2]) -> bool {
-        let [a, b] = [self.point(a), self.point(b)];
-        (0..2).all(|k| &a.over[k] * &b.under == &b.over[k] * &a.under)
+    pub fn coincide(&self, addresses: &[Address; 2]) -> Result<bool, Refused> {
+        self.work.spend(self.cost_coincide(addresses))?;
+        let [a, b] = addresses.each_ref().map(|address| self.point(address));
+        Ok((0..2).all(|k| &a.over[k] * &b.under == &b.over[k] * &a.under))
     }
 
     fn word(&self, word: &[u8]) -> Map {
@@ -54,5 +71,31 @@ impl Scene {
         let [x, y] = &x;
         let over = [a * x + b * y + e * &under, c * x + d * y + f * &under];
         Point { over, under: under << bits }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::work::{WORK, Work, digits};
+
+    /// What costs are computed from.
+    #[test]
+    fn numbers_are_not_longer_than_they_are_taken_to_be() {
+        let (small, large) = (f64::from_bits(1), f64::MAX);
+        for maps in [
+            [[0.5, 0.25, -0.5, 0.75, 1.0, -2.0]; 2],
+            [[large, large, -large, large, large, large]; 2],
+            [[small, 0.0, 0.0, small, small, 1.0], [1.0, 1.0, -1.0, 1.0, large, small]],
+        ] {
+            let work = Work::at_most(WORK);
+            let scene = Scene::new(&maps, &[[0.0, 0.0]], &work).unwrap();
+            for (head, repeat) in [(0, 1), (1, 1), (30, 1), (1, 20), (9, 11)] {
+                let word = |letters: u8| (0..letters).map(|k| k % 2).collect();
+                let point = scene.point(&Address { head: word(head), repeat: word(repeat) });
+                let most = (u64::from(head) + 2 * u64::from(repeat)) * scene.letter;
+                assert!(digits(point.over.iter().chain([&point.under])) <= most, "{head} {repeat}");
+            }
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::certificate::Certificate;
 use crate::refused::Refused;
+use crate::work::{LOOK_UP, Work};
 
 /// A pair of words, and the pairs of the certificate that are below it.
 struct Node {
@@ -10,15 +11,22 @@ struct Node {
     depth: [usize; 2],
 }
 
+/// What [`check_cover`] takes: each pair is looked at once a letter, and what is split has parts as many as maps.
+pub(crate) fn cost_cover(certificate: &Certificate) -> u64 {
+    let letters: usize = certificate.pairs.iter().map(|pair| pair.u.len() + pair.v.len()).sum();
+    LOOK_UP * (2 * letters + certificate.maps.len().pow(2)) as u64
+}
+
 /// Checks that from each two letters across the cut, replacing one word of a pair by all its parts again and again
 /// leads to pairs of the certificate.
 ///
 /// Which word is to be replaced is not written down, and need not be: if all pairs below have a longer first word then
 /// splitting that one first is right whenever anything is, since where the second is split too, it is so below each
 /// part.
-pub(crate) fn check_cover(certificate: &Certificate) -> Result<(), Refused> {
+pub(crate) fn check_cover(certificate: &Certificate, work: &Work) -> Result<(), Refused> {
     let Certificate { maps, side, pairs, .. } = certificate;
     let count = maps.len();
+    work.spend(LOOK_UP * (count * count) as u64)?;
     // By first letters. Words are known not to be empty.
     let mut roots: Vec<Vec<u32>> = vec![Vec::new(); count * count];
     for (k, pair) in pairs.iter().enumerate() {
@@ -35,6 +43,7 @@ pub(crate) fn check_cover(certificate: &Certificate) -> Result<(), Refused> {
         }
     }
     while let Some(node) = stack.pop() {
+        work.spend(2 * LOOK_UP * node.below.len() as u64)?;
         let word = |k: u32, which: usize| {
             let pair = &pairs[k as usize];
             if which == 0 { &pair.u } else { &pair.v }

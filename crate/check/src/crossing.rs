@@ -4,7 +4,9 @@ use num_bigint::BigInt;
 
 use crate::connected::Far;
 use crate::polygon::Scene;
+use crate::refused::Refused;
 use crate::whole::{Factor, Whole};
+use crate::work::{digits, product};
 
 /// A direction as whole numbers times `2^-bits`.
 struct Direction {
@@ -13,9 +15,9 @@ struct Direction {
 }
 
 impl Direction {
-    fn of(direction: [f64; 2]) -> Option<Self> {
-        let whole = Whole::of(&[direction])?;
-        Some(Self { at: whole.rows[0].clone(), bits: whole.bits })
+    fn of(direction: [f64; 2]) -> Result<Self, Refused> {
+        let whole = Whole::of(&[direction]).ok_or(Refused::NotFinite { place: "directions" })?;
+        Ok(Self { at: whole.rows[0].clone(), bits: whole.bits })
     }
 
     fn back(&self) -> [BigInt; 2] {
@@ -23,21 +25,41 @@ impl Direction {
     }
 }
 
+/// What [`lie_across`] takes.
+pub(crate) fn cost_across(scene: &Scene, words: &[Vec<u8>; 2], far: &[Far; 4]) -> Result<u64, Refused> {
+    let (mut cost, mut longest) = (0_u64, 0);
+    for (k, Far { tail, direction }) in far.iter().enumerate() {
+        let (own, other) = (words[k / 2].len(), words[1 - k / 2].len());
+        let direction = digits(&Direction::of(*direction)?.at);
+        longest = longest.max(direction);
+        for (times, letters) in [(1, own + tail.len()), (2, other)] {
+            cost = cost.saturating_add(times * scene.cost_farthest(direction, letters));
+        }
+    }
+    Ok(cost.saturating_add(40 * product(longest, longest)))
+}
+
 /// Whether the far parts of two pieces show that these lie across each other, where no gap is wider than `gap`.
-/// `None` if a number is not finite.
-pub(crate) fn lie_across(scene: &Scene, words: &[Vec<u8>; 2], far: &[Far; 4], gap: &Factor) -> Option<bool> {
+pub(crate) fn lie_across(
+    scene: &Scene,
+    words: &[Vec<u8>; 2],
+    far: &[Far; 4],
+    gap: &Factor,
+) -> Result<bool, Refused> {
     let mut directions = Vec::with_capacity(4);
     for (k, Far { tail, direction }) in far.iter().enumerate() {
         let (own, other) = (&words[k / 2], &words[1 - k / 2]);
         let part: Vec<u8> = own.iter().chain(tail).copied().collect();
         let direction = Direction::of(*direction)?;
-        if !is_beyond(scene, &part, other, &direction, gap) {
-            return Some(false);
+        if !is_beyond(scene, &part, other, &direction, gap)? {
+            return Ok(false);
         }
         directions.push(direction.at);
     }
+    let longest = digits(directions.iter().flatten());
+    scene.work.spend(40 * product(longest, longest))?;
     let [p, q, r, s] = [0, 1, 2, 3].map(|k| &directions[k]);
-    Some(alternate([p, q], [r, s]))
+    Ok(alternate([p, q], [r, s]))
 }
 
 /// Whether two directions are on different sides of two others.
@@ -49,11 +71,17 @@ fn alternate([p, q]: [&[BigInt; 2]; 2], [r, s]: [&[BigInt; 2]; 2]) -> bool {
 ///
 /// The points within half a step of the piece, steps being those of the gap made as small as the piece is, lie in
 /// `w(P) + gap / 2 (w(P) - w(P))`.
-fn is_beyond(scene: &Scene, part: &[u8], piece: &[u8], direction: &Direction, gap: &Factor) -> bool {
+fn is_beyond(
+    scene: &Scene,
+    part: &[u8],
+    piece: &[u8],
+    direction: &Direction,
+    gap: &Factor,
+) -> Result<bool, Refused> {
     let to = |word: &[u8], normal: [BigInt; 2]| scene.farthest(word, normal, direction.bits);
-    let [there, back] = [to(piece, direction.at.clone()), to(piece, direction.back())];
+    let [there, back] = [to(piece, direction.at.clone())?, to(piece, direction.back())?];
     let wide = there.clone().plus(&back).times(gap).half();
-    there.plus(&wide).is_below(&to(part, direction.back()).negative())
+    Ok(there.plus(&wide).is_below(&to(part, direction.back())?.negative()))
 }
 
 /// Whether a direction lies strictly between two others, counter-clockwise from `a` to `b`.

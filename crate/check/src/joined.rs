@@ -5,12 +5,13 @@ use std::fmt;
 use num_bigint::BigInt;
 
 use crate::connected::{Address, ConnectedCertificate, Link};
-use crate::crossing::lie_across;
+use crate::crossing::{cost_across, lie_across};
 use crate::difference::Differences;
-use crate::limits::{CELLS, CORNERS, FARTHEST_CELL, LETTERS, MAPS, PAIRS, TEXT, Work, at_most};
-use crate::polygon::Scene;
+use crate::limits::{CELLS, CORNERS, FARTHEST_CELL, LETTERS, MAPS, PAIRS, TEXT, at_most};
+use crate::polygon::{Reach, Scene};
 use crate::refused::Refused;
-use crate::whole::{Factor, Whole};
+use crate::whole::Factor;
+use crate::work::{WORK, Work, product};
 
 /// What was checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,16 +36,27 @@ impl fmt::Display for CheckedConnected {
 ///
 /// # Errors
 /// [`Refused`] with the first thing that is wrong with it, or that it is too large to be checked: more than 256 maps,
-/// 512 corners, a million pairs or links, ten million letters.
+/// 512 corners, a million pairs or links, a hundred thousand squares, ten million letters, or words so long of numbers
+/// with so many digits that it takes more than 20,000,000,000 multiplications of machine words. That is counted before
+/// it begins.
 pub fn check_connected(certificate: &ConnectedCertificate) -> Result<CheckedConnected, Refused> {
+    check_connected_within(certificate, &Work::at_most(WORK))
+}
+
+/// The same with a meter of its own.
+pub(crate) fn check_connected_within(
+    certificate: &ConnectedCertificate,
+    work: &Work,
+) -> Result<CheckedConnected, Refused> {
     let ConnectedCertificate { maps, polygon, gap, near, links, squares } = certificate;
     let longest = check_form(certificate)?;
-    let scene = Scene {
-        maps: Whole::of(maps).ok_or(Refused::NotFinite { place: "maps" })?,
-        corners: Whole::of(polygon).ok_or(Refused::NotFinite { place: "corners" })?,
-    };
+    let scene = Scene::new(maps, polygon, work)?;
     let gap = Factor::of(*gap).filter(|_| *gap >= 0.0).ok_or(Refused::NotFinite { place: "gaps" })?;
-    check_work(certificate, &scene)?;
+    let differences = squares
+        .as_ref()
+        .map(|squares| Differences::new(&scene, squares).ok_or(Refused::Squares))
+        .transpose()?;
+    plan(certificate, &scene, differences.as_ref())?;
     scene.check_convex()?;
     for letter in 0..maps.len() {
         scene.check_inside(&[letter as u8])?;
@@ -52,9 +64,9 @@ pub fn check_connected(certificate: &ConnectedCertificate) -> Result<CheckedConn
     if !gap.is_at_least_one() {
         check_gap(&scene, near, &gap)?;
     }
-    let differences = squares.as_ref().and_then(|squares| Differences::new(&scene, squares));
-    let differences = differences.filter(|differences| differences.all_lead_back(&scene));
-    if squares.is_some() && differences.is_none() {
+    if let Some(differences) = &differences
+        && !differences.all_lead_back(&scene)?
+    {
         return Err(Refused::Squares);
     }
     let mut reached = Reached::new(maps.len());
@@ -62,20 +74,22 @@ pub fn check_connected(certificate: &ConnectedCertificate) -> Result<CheckedConn
         let (pair, why) = match link {
             Link::Point { addresses } => (
                 addresses.each_ref().map(first),
-                (!scene.coincide(addresses)).then_some("its points are not the same"),
+                (!scene.coincide(addresses)?).then_some("its points are not the same"),
             ),
             Link::Area { pair } => {
                 let pair = pair.map(usize::from);
-                (pair, (!scene.fill(pair)).then_some("the areas of its pieces leave room"))
+                (pair, (!scene.fill(pair)?).then_some("the areas of its pieces leave room"))
             }
             Link::Difference { pair, steps } => {
                 let pair = pair.map(usize::from);
-                let meets = differences.as_ref().is_some_and(|all| all.meet(&scene, pair, steps));
+                let meets = match &differences {
+                    Some(differences) => differences.meet(&scene, pair, steps)?,
+                    None => false,
+                };
                 (pair, (!meets).then_some("its step is not shown to be a difference of two points"))
             }
             Link::Crossing { words, far } => {
-                let across =
-                    lie_across(&scene, words, far, &gap).ok_or(Refused::NotFinite { place: "directions" })?;
+                let across = lie_across(&scene, words, far, &gap)?;
                 let pair = words.each_ref().map(|word| usize::from(word[0]));
                 (pair, (!across).then_some("its pieces do not lie across each other"))
             }
@@ -155,42 +169,38 @@ fn check_form(certificate: &ConnectedCertificate) -> Result<usize, Refused> {
     Ok(longest)
 }
 
-/// Roughly how long it will take.
-fn check_work(certificate: &ConnectedCertificate, scene: &Scene) -> Result<(), Refused> {
-    let mut work = Work::of(scene);
-    let corners = certificate.polygon.len() as u64;
-    work.add(corners * certificate.maps.len() as u64, 1);
-    work.add(certificate.squares.as_ref().map_or(0, |squares| squares.cells.len() as u64), 1);
-    for [a, b] in &certificate.near {
-        work.add(2 * corners, a.len());
-        work.add(2 * corners, b.len());
+/// What it takes at the most: refuses what is too large before it begins.
+fn plan(
+    certificate: &ConnectedCertificate,
+    scene: &Scene,
+    differences: Option<&Differences>,
+) -> Result<(), Refused> {
+    let ConnectedCertificate { maps, near, links, .. } = certificate;
+    let work = scene.work.afresh();
+    work.spend(scene.cost_convex())?;
+    work.spend((maps.len() as u64).saturating_mul(scene.cost_inside(1)))?;
+    work.spend(scene.cost_edges())?;
+    for words in near {
+        work.spend(scene.cost_near(words))?;
     }
-    for link in &certificate.links {
-        match link {
-            // Products of maps take fewer, but longer, multiplications than to follow a direction.
-            Link::Point { addresses } => {
-                for Address { head, repeat } in addresses {
-                    work.add(10, head.len() + repeat.len());
-                }
-            }
-            Link::Area { .. } => work.add(1, 1),
-            Link::Difference { steps, .. } => work.add(1, steps.len()),
-            Link::Crossing { words, far } => {
-                for (k, far) in far.iter().enumerate() {
-                    work.add(1, words[k / 2].len() + far.tail.len());
-                    work.add(2, words[1 - k / 2].len());
-                }
-            }
-        }
+    work.spend(differences.map_or(0, |differences| differences.cost_all(scene)))?;
+    for link in links {
+        work.spend(match link {
+            Link::Point { addresses } => scene.cost_coincide(addresses),
+            Link::Area { .. } => scene.cost_fill(),
+            Link::Difference { steps, .. } => differences.map_or(0, |all| all.cost_meet(scene, steps.len())),
+            Link::Crossing { words, far } => cost_across(scene, words, far)?,
+        })?;
     }
-    work.check()
+    Ok(())
 }
 
 /// Checks that no gap is wider: a spanning tree of pieces that are as near.
 fn check_gap(scene: &Scene, near: &[[Vec<u8>; 2]], gap: &Factor) -> Result<(), Refused> {
+    let edges = scene.edges(gap)?;
     let mut reached = Reached::new(scene.maps.rows.len());
     for words in near {
-        if !scene.are_near(words, gap) {
+        if !scene.are_near(words, &edges)? {
             return Err(Refused::Gap { why: "two pieces are not as near as that" });
         }
         reached.join(words.each_ref().map(|word| usize::from(word[0])));
@@ -201,30 +211,67 @@ fn check_gap(scene: &Scene, near: &[[Vec<u8>; 2]], gap: &Factor) -> Result<(), R
     }
 }
 
-impl Scene {
-    /// Whether no point of a piece is farther from one of another than `gap`, in the norm whose unit ball is the
-    /// polygon less itself: in each direction across an edge, not more than so many times the polygon's width.
-    fn are_near(&self, [a, b]: &[Vec<u8>; 2], gap: &Factor) -> bool {
+/// The directions across an edge, out of the polygon and back, and how far points within the gap may lie apart there.
+struct Edge {
+    there: [BigInt; 2],
+    back: [BigInt; 2],
+    most: Reach,
+}
+
+impl Scene<'_> {
+    /// What [`Self::edges`] takes.
+    fn cost_edges(&self) -> u64 {
+        (self.corners.rows.len() as u64).saturating_mul(2 * self.cost_farthest(self.corner, 0))
+    }
+
+    /// The edges of the polygon, each with `gap` times its width there.
+    fn edges(&self, gap: &Factor) -> Result<Vec<Edge>, Refused> {
         let corners = &self.corners.rows;
-        let bits = self.corners.bits;
-        (0..corners.len()).all(|edge| {
+        let across = |edge: usize| {
             let ([x, y], [next_x, next_y]) = (&corners[edge], &corners[(edge + 1) % corners.len()]);
             let there = [next_y - y, x - next_x];
             let back = there.clone().map(|x| -x);
-            let to = |word: &[u8], normal: &[BigInt; 2]| self.farthest(word, normal.clone(), bits);
-            let most = to(&[], &there).plus(&to(&[], &back)).times(gap);
-            !most.is_below(&to(a, &there).plus(&to(b, &back)))
-                && !most.is_below(&to(a, &back).plus(&to(b, &there)))
-        })
+            let to = |normal: &[BigInt; 2]| self.farthest(&[], normal.clone(), self.corners.bits);
+            let most = to(&there)?.plus(&to(&back)?).times(gap);
+            Ok(Edge { there, back, most })
+        };
+        (0..corners.len()).map(across).collect()
+    }
+
+    /// What [`Self::are_near`] takes.
+    fn cost_near(&self, words: &[Vec<u8>; 2]) -> u64 {
+        let [a, b] = words.each_ref().map(|word| self.cost_farthest(self.corner, word.len()));
+        (self.corners.rows.len() as u64).saturating_mul(a.saturating_add(b).saturating_mul(2))
+    }
+
+    /// Whether no point of a piece is farther from one of another than the gap, in the norm whose unit ball is the
+    /// polygon less itself: in each direction across an edge, not more than so many times the polygon's width.
+    fn are_near(&self, [a, b]: &[Vec<u8>; 2], edges: &[Edge]) -> Result<bool, Refused> {
+        for Edge { there, back, most } in edges {
+            let to =
+                |word: &[u8], normal: &[BigInt; 2]| self.farthest(word, normal.clone(), self.corners.bits);
+            if most.is_below(&to(a, there)?.plus(&to(b, back)?))
+                || most.is_below(&to(a, back)?.plus(&to(b, there)?))
+            {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// What [`Self::fill`] takes.
+    fn cost_fill(&self) -> u64 {
+        6 * product(self.letter, self.letter)
     }
 
     /// Whether two maps scale areas by factors with a sum of 1 or more.
-    fn fill(&self, pair: [usize; 2]) -> bool {
+    fn fill(&self, pair: [usize; 2]) -> Result<bool, Refused> {
+        self.work.spend(self.cost_fill())?;
         let area = |k: usize| {
             let [a, b, c, d, ..] = &self.maps.rows[k];
             (a * d - b * c).magnitude().clone()
         };
-        area(pair[0]) + area(pair[1]) >= BigInt::from(1).magnitude() << (2 * self.maps.bits)
+        Ok(area(pair[0]) + area(pair[1]) >= BigInt::from(1).magnitude() << (2 * self.maps.bits))
     }
 }
 
@@ -241,6 +288,10 @@ impl Reached {
 
     fn join(&mut self, [i, j]: [usize; 2]) {
         let (from, to) = (self.part[i], self.part[j]);
+        // So that all links together rename a part as often as there are maps, at the most.
+        if from == to {
+            return;
+        }
         for part in self.part.iter_mut().filter(|part| **part == from) {
             *part = to;
         }

@@ -4,9 +4,10 @@ use std::fmt;
 
 use crate::certificate::Certificate;
 use crate::connected::ConnectedCertificate;
-use crate::joined::{CheckedConnected, check_connected};
+use crate::joined::{CheckedConnected, check_connected_within};
 use crate::refused::Refused;
-use crate::replay::{Checked, check};
+use crate::replay::{Checked, check_within};
+use crate::work::{WORK, Work};
 
 /// A certificate of either kind.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,11 +31,20 @@ impl Proof {
     /// Checks it in exact arithmetic.
     ///
     /// # Errors
-    /// As [`check`] and [`check_connected`].
+    /// As [`check`](crate::check) and [`check_connected`](crate::check_connected).
     pub fn check(&self) -> Result<CheckedProof, Refused> {
+        self.check_within(&Work::at_most(WORK))
+    }
+
+    /// The same with a meter of its own, which a certificate of any kind is given.
+    pub(crate) fn check_within(&self, work: &Work) -> Result<CheckedProof, Refused> {
         match self {
-            Self::Disconnected(certificate) => check(certificate).map(CheckedProof::Disconnected),
-            Self::Connected(certificate) => check_connected(certificate).map(CheckedProof::Connected),
+            Self::Disconnected(certificate) => {
+                check_within(certificate, work).map(CheckedProof::Disconnected)
+            }
+            Self::Connected(certificate) => {
+                check_connected_within(certificate, work).map(CheckedProof::Connected)
+            }
         }
     }
 }

@@ -5,7 +5,8 @@ use thiserror::Error;
 /// Why a certificate is refused. Maps, corners and pairs are counted from 1 in messages, from 0 in fields.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum Refused {
-    /// It is too large to be checked in reasonable time.
+    /// It is too large to be checked in reasonable time. Work with its numbers is counted in multiplications of machine
+    /// words ("digits to multiply").
     #[error("The certificate has too many {what}: the most that are checked is {most}.")]
     TooLarge {
         /// What there are too many of.

@@ -3,11 +3,12 @@
 use std::fmt;
 
 use crate::certificate::{Certificate, Pair};
-use crate::cover::check_cover;
-use crate::limits::{CORNERS, LETTERS, MAPS, PAIRS, TEXT, Work, at_most};
+use crate::cover::{check_cover, cost_cover};
+use crate::limits::{CORNERS, LETTERS, MAPS, PAIRS, TEXT, at_most};
 use crate::polygon::Scene;
 use crate::refused::Refused;
 use crate::whole::Whole;
+use crate::work::{WORK, Work, digits};
 
 /// What was checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,7 +40,8 @@ const BLOCKS: usize = 4096;
 ///
 /// # Errors
 /// [`Refused`] with the first thing that is wrong with it, or that it is too large to be checked: more than 256 maps,
-/// 512 corners, a million pairs, ten million letters.
+/// 512 corners, a million pairs, ten million letters, or words so long of numbers with so many digits that it takes
+/// more than 20,000,000,000 multiplications of machine words. That is counted before it begins.
 ///
 /// ```
 /// # use frond_check::{Certificate, Refused, check};
@@ -47,13 +49,15 @@ const BLOCKS: usize = 4096;
 /// assert_eq!(check(&none).unwrap_err().code(), "form");
 /// ```
 pub fn check(certificate: &Certificate) -> Result<Checked, Refused> {
+    check_within(certificate, &Work::at_most(WORK))
+}
+
+/// The same with a meter of its own.
+pub(crate) fn check_within(certificate: &Certificate, work: &Work) -> Result<Checked, Refused> {
     let Certificate { maps, polygon, letters, side, pairs } = certificate;
     let longest = check_form(certificate)?;
-    let scene = Scene {
-        maps: Whole::of(maps).ok_or(Refused::NotFinite { place: "maps" })?,
-        corners: Whole::of(polygon).ok_or(Refused::NotFinite { place: "corners" })?,
-    };
-    check_work(certificate, &scene)?;
+    let scene = Scene::new(maps, polygon, work)?;
+    plan(certificate, &scene)?;
     scene.check_convex()?;
     for word in words(maps.len(), *letters) {
         scene.check_inside(&word)?;
@@ -68,18 +72,22 @@ pub fn check(certificate: &Certificate) -> Result<Checked, Refused> {
             return Err(Refused::Stray { pair: k });
         }
     }
-    check_cover(certificate)?;
+    check_cover(certificate, work)?;
     for (k, Pair { u, v, normal }) in pairs.iter().enumerate() {
-        let whole = Whole::of(&[*normal]).ok_or(Refused::NotFinite { place: "directions" })?;
+        let whole = direction(*normal)?;
         let [n_x, n_y] = &whole.rows[0];
         // The least along `n` is less the greatest along `-n`.
-        let most = scene.farthest(u, [n_x.clone(), n_y.clone()], whole.bits);
-        let least = scene.farthest(v, [-n_x, -n_y], whole.bits).negative();
+        let most = scene.farthest(u, [n_x.clone(), n_y.clone()], whole.bits)?;
+        let least = scene.farthest(v, [-n_x, -n_y], whole.bits)?.negative();
         if !most.is_below(&least) {
             return Err(Refused::NotApart { pair: k, u: u.clone(), v: v.clone() });
         }
     }
     Ok(Checked { pairs: pairs.len(), longest })
+}
+
+fn direction(normal: [f64; 2]) -> Result<Whole<2>, Refused> {
+    Whole::of(&[normal]).ok_or(Refused::NotFinite { place: "directions" })
 }
 
 /// Sizes and forms; the letters of the longest word.
@@ -112,17 +120,20 @@ fn check_form(certificate: &Certificate) -> Result<usize, Refused> {
     Ok(longest)
 }
 
-/// Roughly how long it will take.
-fn check_work(certificate: &Certificate, scene: &Scene) -> Result<(), Refused> {
-    let Certificate { maps, polygon, letters, pairs, .. } = certificate;
-    let mut work = Work::of(scene);
+/// What it takes at the most: refuses what is too large before it begins.
+fn plan(certificate: &Certificate, scene: &Scene) -> Result<(), Refused> {
+    let Certificate { maps, letters, pairs, .. } = certificate;
+    let work = scene.work.afresh();
+    work.spend(scene.cost_convex())?;
     let blocks = (maps.len() as u64).pow(*letters as u32);
-    work.add(blocks.saturating_mul(polygon.len() as u64), *letters);
-    for pair in pairs {
-        work.add(1, pair.u.len());
-        work.add(1, pair.v.len());
+    work.spend(blocks.saturating_mul(scene.cost_inside(*letters)))?;
+    work.spend(cost_cover(certificate))?;
+    for Pair { u, v, normal } in pairs {
+        let normal = digits(&direction(*normal)?.rows[0]);
+        work.spend(scene.cost_farthest(normal, u.len()))?;
+        work.spend(scene.cost_farthest(normal, v.len()))?;
     }
-    work.check()
+    Ok(())
 }
 
 fn check_cut(side: &[u8]) -> Result<(), Refused> {

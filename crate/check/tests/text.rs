@@ -1,7 +1,7 @@
 //! Certificates as JSON: what is replayed is what the text says, to the last digit.
 #![cfg(feature = "text")]
 
-use frond_check::{Certificate, Pair, check};
+use frond_check::{Certificate, Pair, Proof, check};
 
 /// Two maps in a square.
 fn plain() -> Certificate {
@@ -119,4 +119,29 @@ fn what_is_no_certificate_is_refused() {
     ] {
         assert!(Certificate::from_json(bad).is_err(), "{bad}");
     }
+}
+
+#[test]
+fn what_is_nested_without_end_is_refused() {
+    let deep = |open: &str, close: &str| format!("{}{}", open.repeat(200_000), close.repeat(200_000));
+    let (lists, objects) = (deep("[", "]"), format!("{}0{}", "{\"a\":".repeat(100_000), "}".repeat(100_000)));
+    let whole = plain().to_json().unwrap();
+    for nested in [&lists, &objects] {
+        for text in [
+            nested.clone(),
+            format!("{{\"maps\":{nested}}}"),
+            format!("{{\"links\":{nested}}}"),
+            format!("{{\"links\":[{{\"kind\":\"point\",\"addresses\":{nested}}}],\"maps\":[]}}"),
+            format!("{{\"links\":[{{\"more\":{nested},\"kind\":\"area\",\"pair\":[0,1]}}],\"maps\":[]}}"),
+        ] {
+            assert!(Proof::from_json(&text).is_err());
+        }
+        // What no certificate has is passed over, or refused.
+        let more = whole.replacen('{', &format!("{{\"more\":{nested},"), 1);
+        assert!(Proof::from_json(&more).is_ok_and(|proof| proof.check().is_ok()));
+    }
+    // A million digits are one number, or none.
+    let digits = "1".repeat(1_000_000);
+    assert_eq!(read([&format!("0.{digits}"), "0", "0", "1", "0", "0"])[0], 1.0 / 9.0);
+    assert!(Certificate::from_json(&whole.replacen("0.25", &digits, 1)).is_err());
 }

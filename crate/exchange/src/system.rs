@@ -46,8 +46,8 @@ pub struct System {
     pub name: String,
     /// Its maps.
     pub maps: Maps,
-    /// How often each is chosen in the chaos game, as it is given: none is negative, their sum need not be 1. Empty
-    /// where nothing is said.
+    /// How often each is chosen in the chaos game, as it is given: one for each map, none negative, their sum finite
+    /// and above 0, but it need not be 1. Empty where nothing is said.
     pub probabilities: Vec<f64>,
     /// The colour of each map, red, green and blue. Empty where nothing is said.
     pub colours: Vec<[u8; 3]>,
@@ -91,16 +91,34 @@ impl System {
     /// attractor.
     pub(crate) fn weights(&self) -> Vec<f64> {
         let count = self.maps.len();
-        let sum: f64 = self.probabilities.iter().sum();
-        if self.probabilities.len() == count && sum > 0.0 && sum.is_finite() {
+        if self.probabilities.iter().any(|weight| *weight > 0.0) {
             return self.probabilities.clone();
         }
         self.found_probabilities().unwrap_or_else(|_| vec![1.0 / count.max(1) as f64; count])
     }
 
-    /// Takes the weights of a file, where each map has one. What is negative counts as if it were not, which is said.
+    /// Whether the probabilities can be written: none, or one for each map, none negative, with a finite sum.
+    pub(crate) fn has_sound_weights(&self) -> bool {
+        let given = &self.probabilities;
+        (given.is_empty() || given.len() == self.maps.len())
+            && given.iter().all(|weight| *weight >= 0.0)
+            && given.iter().sum::<f64>().is_finite()
+    }
+
+    /// Takes the weights of a file, one place for each map. They are taken where each has one, or not at all, which is
+    /// said. What is negative counts as if it were not, which is said, too.
     pub(crate) fn take_weights(&mut self, weights: &[Option<f64>]) {
-        let Some(given) = weights.iter().copied().collect::<Option<Vec<f64>>>() else { return };
+        let Some(given) = weights.iter().copied().collect::<Option<Vec<f64>>>() else {
+            if let Some(without) = weights.iter().position(Option::is_none)
+                && weights.iter().any(Option::is_some)
+            {
+                self.remarks.push(format!(
+                    "Map {} has no weight and others have one: all weights are left out. Give each map one.",
+                    without + 1
+                ));
+            }
+            return;
+        };
         let negative = given.iter().filter(|weight| **weight < 0.0).count();
         if negative > 0 {
             let which =
@@ -109,10 +127,16 @@ impl System {
         }
         let given: Vec<f64> = given.into_iter().map(f64::abs).collect();
         let sum: f64 = given.iter().sum();
-        // All zero, or too large together: such weights say nothing.
-        if sum > 0.0 && sum.is_finite() {
-            self.probabilities = given;
-        }
+        let why = match sum {
+            _ if given.is_empty() => return,
+            0.0 => "The weights are all 0",
+            _ if sum.is_finite() => {
+                self.probabilities = given;
+                return;
+            }
+            _ => "The weights are too large: their sum is not finite",
+        };
+        self.remarks.push(format!("{why}. They are left out."));
     }
 
     fn found_probabilities(&self) -> Result<Vec<f64>, IfsError> {

@@ -126,12 +126,15 @@ fn a_link_is_found_behind_large_chunks() {
 #[test]
 fn weights_that_say_nothing_are_left_out() {
     let found = |text: &str| read(text.as_bytes()).unwrap().systems.remove(0);
-    // Without their sign; and not at all, where they are all zero or have no sum.
-    for (weights, wanted) in [
-        (["-0.25", "0.5"], &[0.25, 0.5][..]),
-        (["-1", "-2"], &[1.0, 2.0]),
-        (["0", "0"], &[]),
-        (["1e308", "-1e308"], &[]),
+    // Without their sign; and not at all, where they are all zero or have no sum. Each is said.
+    let (negative, zero, large) = ("negative: taken without the sign.", "all 0.", "their sum is not finite.");
+    for (weights, wanted, said) in [
+        (["-0.25", "0.5"], &[0.25, 0.5][..], &[negative][..]),
+        (["-1", "-2"], &[1.0, 2.0], &[negative]),
+        (["0", "0"], &[], &[zero]),
+        (["0", "5e-324"], &[0.0, 5e-324], &[]),
+        (["1e308", "1e308"], &[], &[large]),
+        (["1e308", "-1e308"], &[], &[negative, large]),
     ] {
         let [one, other] = weights;
         for text in [
@@ -141,13 +144,28 @@ fn weights_that_say_nothing_are_left_out() {
         ] {
             let system = found(&text);
             assert_eq!(system.probabilities, wanted, "{text}");
-            assert_eq!(system.remarks.len(), usize::from(text.contains("-")), "{:?}", system.remarks);
+            assert_eq!(system.remarks.len(), said.len(), "{:?}", system.remarks);
+            assert!(system.remarks.iter().zip(said).all(|(told, part)| told.contains(part)), "{text}");
         }
     }
     for weights in ["[1]", "[1,2,3]", "[1,null]", "{}"] {
         let system =
             found(&format!("{{\"maps\": [[0,0,0,0,0,0],[0,0,0,0,1,0]], \"probabilities\": {weights}}}"));
         assert_eq!((system.probabilities.len(), system.remarks.len()), (0, 1), "{weights}");
+    }
+    // Where some maps have one and others have none, none is handed to another map.
+    for (text, without) in [
+        ("a {\n.5 0 0 .5 0 0 .7\n.5 0 0 .5 1 0\n.5 0 0 .5 2 0 .2\n}", 2),
+        (".5 0 0 .5 0 0\n.5 0 0 .5 1 0 .2\n", 1),
+        ("<flame><xform weight='2' coefs='.5 0 0 .5 0 0'/><xform coefs='.5 0 0 .5 1 0'/></flame>", 2),
+    ] {
+        let system = found(text);
+        assert_eq!(system.probabilities, [0.0; 0], "{text}");
+        assert!(
+            system.remarks[0].starts_with(&format!("Map {without} has no weight")),
+            "{:?}",
+            system.remarks
+        );
     }
     // Written, they are what each map leaves of areas.
     let mut system = system(2);

@@ -3,7 +3,7 @@
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use frond_exchange::{ImportError, Imported, import, link_in_png};
+use frond_exchange::{ImportError, Imported, Maps, import, link_in_png};
 use peak_alloc::PeakAlloc;
 use proptest::prelude::*;
 
@@ -35,6 +35,16 @@ fn read(bytes: &[u8]) -> Result<Imported, ImportError> {
             assert!(found.systems.len() <= 1000);
             assert!(found.systems.iter().all(|system| (1..=64).contains(&system.maps.len())));
             assert!(found.systems.iter().all(|system| system.name.chars().count() <= 60));
+            for system in &found.systems {
+                let finite = match &system.maps {
+                    Maps::Plane(rows) => rows.iter().flatten().all(|x| x.is_finite()),
+                    Maps::Space(rows) => rows.iter().flatten().all(|x| x.is_finite()),
+                };
+                let (weights, sum) = (&system.probabilities, system.probabilities.iter().sum::<f64>());
+                let sound =
+                    weights.is_empty() || weights.len() == system.maps.len() && sum > 0.0 && sum.is_finite();
+                assert!(finite && sound && weights.iter().all(|weight| *weight >= 0.0), "{head}: {system:?}");
+            }
         }
         Err(error) => assert!(error.to_string().len() < 700, "{error}"),
     }

@@ -106,4 +106,12 @@ fn tables_have_headings_and_nothing_is_written_that_is_no_number() {
             assert_eq!(export(&system, format).unwrap_err().code(), "export-not-finite");
         }
     }
+    // Nor what would be read back as something else.
+    for wrong in [&[1.0][..], &[0.5, 0.25, 0.25], &[1.0, -1.0], &[1e308, 1e308]] {
+        let mut system = plane();
+        system.probabilities = wrong.to_vec();
+        for format in ExportFormat::ALL {
+            assert_eq!(export(&system, format).unwrap_err().code(), "export-weights", "{wrong:?}");
+        }
+    }
 }

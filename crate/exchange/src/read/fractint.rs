@@ -19,8 +19,11 @@ pub struct SpaceFile {
     pub name: String,
     /// Its maps.
     pub maps: Vec<Row3>,
-    /// The probabilities that the file gives, one a map; their sum need not be 1.
+    /// The probabilities that the file gives, one a map; their sum need not be 1. Empty where it does not give each map
+    /// one.
     pub probabilities: Vec<f64>,
+    /// What was left out or changed in reading it, a sentence each.
+    pub remarks: Vec<String>,
 }
 
 /// What a file has.
@@ -35,26 +38,32 @@ pub struct SpaceSystems {
 /// The longest file.
 const LONGEST_FILE: usize = 1 << 20;
 
-/// Reads the systems of space of a Fractint file: `name (3D) { .. }`, with the sign `(3D)` before the brace or behind
-/// it. Systems of the plane, without the sign, are passed over and counted.
+/// Reads the systems of space of a Fractint file as [`import`](crate::import) does: `name (3D) { .. }`, with the sign
+/// `(3D)` before the brace or behind it. Systems of the plane, without the sign, are passed over and counted.
 ///
 /// # Errors
 /// [`FileError`] with the line where it is.
 pub fn parse_ifs3(text: &str) -> Result<SpaceSystems, FileError> {
-    let (solid, flat): (Vec<_>, Vec<_>) = entries(text)?.into_iter().partition(|entry| entry.solid);
-    let read = |entry: &Entry<'_>| {
-        let (maps, weights) = entry.rows::<12>()?;
-        if weights.iter().flatten().any(|weight| *weight < 0.0) {
-            return Err(FileError::Probability { name: entry.name.clone(), line: entry.line });
+    let (mut systems, mut flat, mut first_flat) = (Vec::new(), 0, None);
+    for entry in entries(text)? {
+        if !entry.is_of_space() {
+            flat += 1;
+            first_flat.get_or_insert(entry.name);
+            continue;
         }
-        let probabilities = weights.into_iter().flatten().collect();
-        Ok(SpaceFile { name: entry.name.clone(), maps, probabilities })
-    };
-    let systems: Vec<SpaceFile> = solid.iter().map(read).collect::<Result<_, _>>()?;
-    match (systems.is_empty(), flat.first()) {
-        (false, _) => Ok(SpaceSystems { systems, flat: flat.len() }),
-        (true, Some(first)) => Err(FileError::Flat { name: first.name.clone(), count: flat.len() }),
-        (true, None) => Err(FileError::Empty),
+        let line = entry.line;
+        let (System { name, maps, probabilities, remarks, .. }, weights) = entry.read()?;
+        if weights.iter().flatten().any(|weight| *weight < 0.0) {
+            return Err(FileError::Probability { name, line });
+        }
+        if let Maps::Space(maps) = maps {
+            systems.push(SpaceFile { name, maps, probabilities, remarks });
+        }
+    }
+    match first_flat {
+        _ if !systems.is_empty() => Ok(SpaceSystems { systems, flat }),
+        Some(name) => Err(FileError::Flat { name, count: flat }),
+        None => Err(FileError::Empty),
     }
 }
 
@@ -63,7 +72,7 @@ pub fn read_fractint(text: &str) -> Result<Gathered, ImportError> {
     let entries = entries(text)?;
     let mut all = Gathered::of(entries.len());
     for entry in entries.into_iter().take(MAX_SYSTEMS) {
-        all.take(entry.read().map_err(ImportError::from));
+        all.take(entry.read().map(|(system, _)| system).map_err(ImportError::from));
     }
     all.finish(FileError::None.into())
 }
@@ -213,9 +222,20 @@ impl<'a> Entry<'a> {
         Ok((rows, weights))
     }
 
-    fn read(self) -> Result<System, FileError> {
-        let unsaid = !self.solid && !self.words.is_empty() && self.widths().all(|width| width == 13);
-        let (maps, weights) = if self.solid || unsaid {
+    /// Whether it is of space though the sign is missing: each line has as many numbers as a map of space with its
+    /// weight.
+    fn is_unsaid(&self) -> bool {
+        !self.solid && !self.words.is_empty() && self.widths().all(|width| width == 13)
+    }
+
+    fn is_of_space(&self) -> bool {
+        self.solid || self.is_unsaid()
+    }
+
+    /// The system, and the weights as they stand in the file.
+    fn read(self) -> Result<(System, Weights), FileError> {
+        let unsaid = self.is_unsaid();
+        let (maps, weights) = if self.is_of_space() {
             let (rows, weights) = self.rows::<12>()?;
             (Maps::Space(rows), weights)
         } else {
@@ -229,7 +249,7 @@ impl<'a> Entry<'a> {
             system.remarks.push(remark.into());
         }
         system.take_weights(&weights);
-        Ok(system)
+        Ok((system, weights))
     }
 }
 
@@ -265,9 +285,56 @@ mod tests {
     fn what_is_written_comes_back_to_the_last_bit() {
         for preset in presets3() {
             let probabilities = vec![1.0 / 3.0; preset.maps.len()];
-            let file = SpaceFile { name: preset.id.to_owned(), maps: preset.maps.clone(), probabilities };
+            let (name, maps) = (preset.id.to_owned(), preset.maps.clone());
+            let file = SpaceFile { name, maps, probabilities, remarks: Vec::new() };
             let text = write_ifs3(&file);
             assert_eq!(parse_ifs3(&text), Ok(SpaceSystems { systems: vec![file], flat: 0 }));
+        }
+    }
+
+    /// Against the numbers as they stand there, and against what reads files of any kind.
+    #[test]
+    fn weights_belong_to_the_maps_they_stand_with() {
+        let row = |x: usize| format!("{x} 0 0 0 .5 0 0 0 .5 0 0 0");
+        let flat_row = |x: usize| format!("{x} 0 0 .5 0 0");
+        for (weights, wanted) in [
+            (["0.7", "0.2", "0.1"], &[0.7, 0.2, 0.1][..]),
+            (["0.7", "", "0.2"], &[]),
+            (["", "0.7", "0.2"], &[]),
+            (["0.7", "0.2", ""], &[]),
+            (["", "", ""], &[]),
+            (["0", "0", "0"], &[]),
+            (["1e308", "1e308", "1e308"], &[]),
+            (["0", "5e-324", "0"], &[0.0, 5e-324, 0.0]),
+        ] {
+            let lines = |row: &dyn Fn(usize) -> String| {
+                let lines = weights.iter().enumerate().map(|(k, weight)| format!("{} {weight}\n", row(k)));
+                lines.collect::<String>()
+            };
+            let text = format!("a (3D) {{\n{}}}", lines(&row));
+            let SpaceFile { maps, probabilities, remarks, .. } = parse_ifs3(&text).unwrap().systems.remove(0);
+            let first: Vec<f64> = maps.iter().map(|map| map[0]).collect();
+            assert_eq!((&*first, &*probabilities), (&[0.0, 1.0, 2.0][..], wanted), "{text}");
+            let is_said = weights.concat().is_empty() || !wanted.is_empty();
+            assert_eq!(remarks.is_empty(), is_said, "{text}: {remarks:?}");
+            let system = read_fractint(&text).unwrap().systems.remove(0);
+            assert_eq!((system.probabilities, system.remarks), (probabilities, remarks), "{text}");
+            // In the plane, with a sign or without one.
+            let plane = read_fractint(&format!("a {{\n{}}}", lines(&flat_row))).unwrap().systems.remove(0);
+            assert_eq!((&*plane.probabilities, plane.remarks.is_empty()), (wanted, is_said), "{text}");
+            let unsaid = text.replace("(3D)", "");
+            let (one, all) =
+                (parse_ifs3(&unsaid), read_fractint(&unsaid).map(|mut all| all.systems.remove(0)));
+            match (one, all) {
+                (Ok(one), Ok(all)) => {
+                    assert_eq!(one.systems[0].probabilities, all.probabilities);
+                    assert_eq!(Maps::Space(one.systems[0].maps.clone()), all.maps);
+                }
+                // Twelve numbers without a sign are two maps of the plane, for both.
+                (Err(FileError::Flat { .. }), Ok(System { maps: Maps::Plane(_), .. })) => {}
+                (Err(FileError::Flat { .. }), Err(_)) => {}
+                (one, all) => panic!("{unsaid}: {one:?} {all:?}"),
+            }
         }
     }
 

@@ -133,6 +133,12 @@ pub enum ExportError {
     /// A number is not finite.
     #[error("A number of the maps is not finite, and no file holds such. Mend it first.")]
     NotFinite,
+    /// The probabilities are not those of the maps.
+    #[error(
+        "The probabilities are not one number for each map, none of them negative, with a finite sum. Mend them, or \
+         leave them out."
+    )]
+    Weights,
     /// The form is one of the plane.
     #[error("{format} is written of maps of the plane alone. Choose JSON, Fractint, CSV, LaTeX or Python.")]
     OfPlane {
@@ -151,6 +157,7 @@ impl ExportError {
         match self {
             Self::Nothing => "export-nothing",
             Self::NotFinite => "export-not-finite",
+            Self::Weights => "export-weights",
             Self::OfPlane { .. } => "export-plane-only",
             Self::NoAttractor => "no-attractor",
         }
@@ -160,13 +167,17 @@ impl ExportError {
 /// Writes the maps of a system.
 ///
 /// # Errors
-/// Where there are none, a number is not finite, or the form is one of the plane alone.
+/// Where there are none, a number is not finite, the probabilities are not those of the maps, or the form is one of the
+/// plane alone.
 pub fn export(system: &System, format: ExportFormat) -> Result<String, ExportError> {
     if system.maps.is_empty() {
         return Err(ExportError::Nothing);
     }
     if !system.maps.rows().into_iter().flatten().chain(&system.probabilities).all(|x| x.is_finite()) {
         return Err(ExportError::NotFinite);
+    }
+    if !system.has_sound_weights() {
+        return Err(ExportError::Weights);
     }
     match (format, &system.maps) {
         (ExportFormat::Json, _) => Ok(json::write(system)),

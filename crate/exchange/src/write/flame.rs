@@ -17,16 +17,16 @@ pub fn write(system: &System, rows: &[Row]) -> String {
     let (centre, scale) = ifs.map_or((glam::DVec2::ZERO, SIZE / 4.0), |ifs| {
         let hull = Hull::of(&ifs);
         let size = hull.max() - hull.min();
-        (0.5 * (hull.min() + hull.max()), 0.9 * SIZE / size.max_element().max(1e-6))
+        (0.5 * hull.min() + 0.5 * hull.max(), 0.9 * SIZE / size.max_element().max(1e-300))
     });
     let name = system.title();
     let mut text = format!(
-        "<flames name=\"Frond\">\n<flame name=\"{}\" version=\"{OWN_VERSION}\" size=\"{SIZE} {SIZE}\" center=\"{:.6} {:.6}\" scale=\"{:.4}\" \
+        "<flames name=\"Frond\">\n<flame name=\"{}\" version=\"{OWN_VERSION}\" size=\"{SIZE} {SIZE}\" center=\"{} {}\" scale=\"{}\" \
          background=\"0 0 0\" brightness=\"4\" gamma=\"4\">\n",
         escape(name.as_str()),
-        centre.x,
-        -centre.y,
-        scale,
+        decimal(centre.x),
+        decimal(0.0 - centre.y),
+        decimal(scale),
     );
     let places: Vec<f64> = (0..rows.len()).map(|k| place(k, rows.len())).collect();
     for (k, (&row, weight)) in rows.iter().zip(system.weights()).enumerate() {

@@ -9,9 +9,11 @@ use crate::text::name_or;
 #[must_use]
 pub fn write_ifs3(file: &SpaceFile) -> String {
     let mut system = System::space(file.name.clone(), file.maps.clone());
-    let equal = 1.0 / file.maps.len() as f64;
-    let probability = |k: usize| file.probabilities.get(k).copied().unwrap_or(equal);
-    system.probabilities = (0..file.maps.len()).map(probability).collect();
+    // One for each map, or none: they are not handed to other maps.
+    system.probabilities.clone_from(&file.probabilities);
+    if !system.has_sound_weights() {
+        system.probabilities.clear();
+    }
     write(&system)
 }
 

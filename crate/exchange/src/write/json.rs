@@ -18,10 +18,11 @@ pub fn write(system: &System) -> String {
         fields.push(format!("  \"name\": {}", serde_json::Value::from(name)));
     }
     fields.push(format!("  \"maps\": [\n{}\n  ]", rows.join(",\n")));
-    if !system.probabilities.is_empty() {
+    // Zeros alone say nothing, and would be left out again.
+    if system.probabilities.iter().any(|weight| *weight > 0.0) {
         fields.push(format!("  \"probabilities\": {}", list(&system.probabilities)));
     }
-    if !system.colours.is_empty() {
+    if !system.colours.is_empty() && system.colours.len() == system.maps.len() {
         let words: Vec<String> = system.colours.iter().map(|&one| format!("\"{}\"", hex(one))).collect();
         fields.push(format!("  \"colours\": [{}]", words.join(", ")));
     }

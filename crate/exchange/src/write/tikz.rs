@@ -13,7 +13,7 @@ const SIDE: f64 = 8.0;
 
 pub fn write(system: &System, rows: &[Row]) -> Option<String> {
     let shape = Pieces::of(rows, MAX_PIECES)?;
-    let scale = SIDE / (shape.max - shape.min).max_element().max(1e-9);
+    let scale = SIDE / (shape.max - shape.min).max_element().max(1e-300);
     let polygon = |map: &Affine2, corners: &[DVec2]| {
         let corner = |p: &DVec2| {
             let at = (map.apply(*p) - shape.min) * scale;

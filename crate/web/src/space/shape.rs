@@ -186,23 +186,24 @@ struct PlainFile {
     name: String,
     maps: Vec<Row3>,
     probabilities: Vec<f64>,
+    remarks: Vec<String>,
 }
 
-/// The systems of space of a Fractint file, `name (3D) { .. }`; `countFlat` says how many of the plane are passed over.
-/// Throws with the line where it is wrong.
+/// The systems of space of a Fractint file, `name (3D) { .. }`, read as `importFile` does; `countFlat` says how many of
+/// the plane are passed over. `probabilities` are one for each map, or none; `remarks` say what was left out. Throws
+/// with the line where it is wrong.
 #[wasm_bindgen(
     js_name = parseIfs3,
-    unchecked_return_type = "{ name: string; maps: MapRow3[]; probabilities: number[] }[]"
+    unchecked_return_type = "{ name: string; maps: MapRow3[]; probabilities: number[]; remarks: string[] }[]"
 )]
 pub fn parse_file(text: &str) -> Result<JsValue, JsValue> {
     let found = frond_exchange::parse_ifs3(text).map_err(|error| of_file(&error))?;
     let plain =
-        |file: SpaceFile| PlainFile { name: file.name, maps: file.maps, probabilities: file.probabilities };
+        |SpaceFile { name, maps, probabilities, remarks }| PlainFile { name, maps, probabilities, remarks };
     write(&found.systems.into_iter().map(plain).collect::<Vec<_>>())
 }
 
-/// How many systems of the plane a Fractint file has, without the sign `(3D)`. Throws as `parseIfs3`, but not for a
-/// file of these alone.
+/// How many systems of the plane a Fractint file has. Throws as `parseIfs3`, but not for a file of these alone.
 #[wasm_bindgen(js_name = countFlat)]
 pub fn count_flat(text: &str) -> Result<usize, JsValue> {
     match frond_exchange::parse_ifs3(text) {
@@ -227,6 +228,7 @@ pub fn write_file(
         name: name.to_owned(),
         maps: ifs.maps().iter().map(|map| map.to_row()).collect(),
         probabilities: ifs.probabilities().to_vec(),
+        remarks: Vec::new(),
     };
     Ok(frond_exchange::write_ifs3(&file))
 }

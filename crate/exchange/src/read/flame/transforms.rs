@@ -157,7 +157,8 @@ impl Flame {
                 }
                 _ if OTHER.contains(&key) || STILL.contains(&key) || of_jwildfire(key) => {}
                 _ => {
-                    if let Some(x) = number(value.trim()) {
+                    // Infinity and what is no number weigh something, too.
+                    if let Ok(x) = value.trim().parse::<f64>() {
                         any = true;
                         if key.len() > MAX_KEY {
                             functions.push("others");
@@ -197,7 +198,14 @@ impl Flame {
         if let Some(post) = post.filter(|post| *post != Affine2::IDENTITY) {
             map = post * map;
         }
-        self.maps.push(turned_over(map.to_row()));
+        let row = turned_over(map.to_row());
+        if !row.iter().all(|x| x.is_finite()) {
+            return Err(format!(
+                "Numbers of transform {} are too large: coefs, post and the weight of linear give no finite map.",
+                self.count
+            ));
+        }
+        self.maps.push(row);
         self.weights.push(weight);
         self.places.push(place);
         Ok(())

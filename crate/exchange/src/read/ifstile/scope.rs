@@ -12,6 +12,7 @@ use crate::text::{name_or, number, short};
 pub const MAX_DEPTH: usize = 32;
 /// Said where they go on beyond that.
 const ENDLESS: &str = "Names or brackets go on without end.";
+const TOO_LARGE: &str = "A number becomes too large.";
 /// So many letters of a text are a step.
 const STEP_LETTERS: usize = 64;
 
@@ -83,9 +84,6 @@ impl<'a> Scope<'a> {
         let Value::Images(maps) = self.value(value, 0)? else {
             return self.fail("This is no equation of a set by its images.");
         };
-        if maps.iter().any(|map| !map.matrix.iter().chain(&map.shift).all(|x| x.is_finite())) {
-            return self.fail("A number becomes too large.");
-        }
         let name = self.look("$n")?;
         let name = name.map_or_else(String::new, |it| name_or(it.value.trim_matches('"'), ""));
         Ok(if self.size == 2 {
@@ -172,7 +170,7 @@ impl<'a> Scope<'a> {
             let (Value::Number(one), Value::Number(other)) = (value, next) else {
                 return self.fail("Sums are read of numbers alone.");
             };
-            value = Value::Number(one + sign * other);
+            value = self.number(one + sign * other)?;
         }
     }
 
@@ -186,8 +184,11 @@ impl<'a> Scope<'a> {
             self.step()?;
             let next = self.power(rest, depth)?;
             value = match (value, next, times) {
-                (Value::Number(one), Value::Number(other), true) => Value::Number(one * other),
-                (Value::Number(one), Value::Number(other), false) => Value::Number(one / other),
+                (Value::Number(one), Value::Number(other), true) => self.number(one * other)?,
+                (Value::Number(_), Value::Number(0.0), false) => {
+                    return self.fail("A number is divided by 0.");
+                }
+                (Value::Number(one), Value::Number(other), false) => self.number(one / other)?,
                 (_, _, false) => return self.fail("Quotients are read of numbers alone."),
                 (Value::Images(_), _, _) => return self.fail("A set stands before “*”."),
                 (one, Value::Images(images), _) => Value::Images(self.composed(one, &images)?),
@@ -224,7 +225,11 @@ impl<'a> Scope<'a> {
         let sign = if take(rest, '-') { -1.0 } else { 1.0 };
         let Value::Number(power) = self.atom(rest, depth)? else { return self.fail("A power is no number.") };
         match value {
-            Value::Number(x) => Ok(Value::Number(x.powf(sign * power))),
+            Value::Number(0.0) if sign * power < 0.0 => self.fail("A number is divided by 0."),
+            Value::Number(x) if x < 0.0 && power.fract() != 0.0 => {
+                self.fail("A broken power of a negative number is no number.")
+            }
+            Value::Number(x) => self.number(x.powf(sign * power)),
             Value::Images(_) => self.fail("A set has no power."),
             other if sign > 0.0 && (0.0..=MAX_MAPS as f64).contains(&power) && power.fract() == 0.0 => {
                 let maps = self.maps(other)?;
@@ -317,7 +322,18 @@ impl<'a> Scope<'a> {
             return self.fail("There are more than 64 maps, and the most is 64.");
         }
         self.charge(outer.len() * inner.len())?;
-        Ok(outer.iter().flat_map(|one| inner.iter().map(|other| one.after(other))).collect())
+        let maps: Vec<Map> =
+            outer.iter().flat_map(|one| inner.iter().map(|other| one.after(other))).collect();
+        match maps.iter().position(|map| !map.matrix.iter().chain(&map.shift).all(|x| x.is_finite())) {
+            Some(_) if maps.len() == 1 => self.fail(TOO_LARGE),
+            Some(at) => self.fail(&format!("Of {} products, in number {}: {TOO_LARGE}", maps.len(), at + 1)),
+            None => Ok(maps),
+        }
+    }
+
+    /// What is computed from numbers is one, or it is said.
+    fn number(&self, x: f64) -> Result<Value, ImportError> {
+        if x.is_finite() { Ok(Value::Number(x)) } else { self.fail(TOO_LARGE) }
     }
 
     fn few(&self, maps: Vec<Map>) -> Result<Vec<Map>, ImportError> {
