@@ -82,6 +82,29 @@ test("the ends are swapped, and made the same", async ({ studio, page }) => {
   expect(await studio.scene()).toMatchObject({ a: { preset: "dragon-3" }, b: { preset: "gasket" } });
 });
 
+test("swapped ends run the same morph backwards", async ({ studio, page }) => {
+  // Map 2 turns by half a turn, which is as short either way.
+  await studio.open("a=dragon-3&b=gasket&t=0.5");
+  await studio.idle();
+  const [before, there] = [await studio.look(), (await studio.scene()).path.points];
+  expect(there.length).toBeGreaterThan(0);
+  await page.getByRole("button", { name: "Swap A and B" }).click();
+  await studio.idle();
+  const back = (await studio.scene()).path.points;
+  expect(back).toHaveLength(there.length);
+  for (const [i, [u, v]] of back.reverse().entries()) {
+    expect(u + (there[i]?.[0] ?? Number.NaN)).toBeCloseTo(1, 9);
+    expect(v + (there[i]?.[1] ?? Number.NaN)).toBeCloseTo(1, 9);
+  }
+  const after = await studio.look();
+  expect(after.box).toEqual(before.box);
+  expect(Math.abs(after.lit / before.lit - 1)).toBeLessThan(0.002);
+  // The other half turn is another morph.
+  await page.getByRole("button", { name: /^Turn map 2 / }).click();
+  await studio.idle();
+  expect((await studio.scene()).turns.map(Math.abs)).toEqual([0, 1, 0]);
+});
+
 test("shapes with different numbers of maps morph all the same", async ({ studio, page }) => {
   await studio.open("a=dragon&b=carpet&t=0.5");
   const look = await studio.look();
