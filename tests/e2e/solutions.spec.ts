@@ -21,7 +21,7 @@ const SOLUTIONS: Record<string, string> = {
   e16: "x1.address=1(3)&x2.address=(12)&x3.addresses=31(2);32(1)",
   e17: "x1.scale=0.25&x2.scale=0.5",
   e18: "x1.percent=60&x2.percents=0,70,70,0",
-  e20: "x1.place=0.17,0.5&x2.places=0.165,0.167",
+  e20: "x1.place=0.45,0.5&x2.places=0.446,0.447",
   e21: "x1.b=0.2,2.5,-0.3&x2.b=1.2,1.8,0.2",
   e22: "x1.roughness=0.25&x2.locality=3",
   e23: "x1.copies=0:0.68:0.6:0.85:0;-0.3:0.35:0.6:0.95:60;0.3:0.35:0.6:0.95:-60;0:0.4:0.3:1:0&x2.s=0.7",

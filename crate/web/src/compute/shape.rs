@@ -67,7 +67,7 @@ pub fn interpolate(
 pub fn half_turns(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "MorphOptions | undefined")] options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "MorphOptions")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     write(&read_morph(&from, &to, &options)?.other_half_turns())
 }

@@ -44,7 +44,7 @@ pub fn interpolate3(
 pub fn half_turns3(
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] to: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "MorphOptions | undefined")] options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "MorphOptions")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     write(&read_morph3(&from, &to, &options)?.other_half_turns())
 }

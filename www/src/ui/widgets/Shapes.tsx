@@ -7,6 +7,7 @@ import { KeptRow, KeptRows } from "../kept/KeptRow";
 import { EndCard } from "../shapes/EndCard";
 import { FlattenedMaps } from "../shapes/FlattenedMaps";
 import { Graph } from "../shapes/Graph";
+import { HalfTurns } from "../shapes/HalfTurns";
 import { MapBlocks } from "../shapes/MapBlocks";
 import { MapList, MapTools } from "../shapes/MapList";
 import { ShapeGrid } from "../shapes/ShapeGrid";
@@ -49,6 +50,13 @@ export function Shapes() {
         </State>
         <State name="to press, long words" wide>
           <SubjectCard picture={card.picture} name={LONG} about={LONG} label="Long" onChoose={nothing} />
+        </State>
+      </Widget>
+      <Widget name="HalfTurns">
+        <State name="one, several, more than there are buttons for" wide>
+          <HalfTurns other={[0, 1, 0]} onTurn={nothing} />
+          <HalfTurns other={[1, 0, -1]} onTurn={nothing} />
+          <HalfTurns other={[1, 1, 1, 1, 1]} onTurn={nothing} />
         </State>
       </Widget>
       <Widget name="KeptRow">

@@ -11,6 +11,8 @@ interface Opening {
   path?: Scene["path"];
   /** For each map of A the map of B that it becomes; the same number by default. */
   correspondence?: number[];
+  /** Whole turns that each map makes more; none by default. */
+  turns?: number[];
   /** How the map of shapes is looked at. */
   locus?: NonNullable<Scene["locus"]>;
   /** Opens the tool that bends shapes. */
@@ -28,6 +30,7 @@ export function studioHref({
   compare = false,
   path,
   correspondence = [],
+  turns = [],
   locus,
   deform,
   tool,
@@ -39,7 +42,7 @@ export function studioHref({
     path: path ?? { kind: "straight", points: [] },
     t: Math.min(1, Math.max(0, t)),
     correspondence,
-    turns: [],
+    turns,
     colouring: deform?.tint ? "grid" : "map",
     compare,
     ...(locus ? { locus } : {}),

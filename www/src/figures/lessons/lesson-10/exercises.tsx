@@ -11,7 +11,7 @@ import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import lessonCss from "../frame/lesson.module.css";
 import { Matching, matchingWords } from "./matching";
-import { kept, nameOf, PAIRINGS, type Pairing } from "./pairings";
+import { kept, nameOf, PAIRINGS, type Pairing, TURNS } from "./pairings";
 import { endsOf, usePlan } from "./plan";
 
 /** A gap, in shares of the diameter, below which a pairing all but holds. */
@@ -74,7 +74,7 @@ function Tried({ number, ask, hints, asked, other, found }: TriedProps) {
       frond.interpolate(
         { maps: ends.from },
         { maps: ends.to },
-        { u: 0.5, v: 0.5, correspondence: [...pairing] },
+        { u: 0.5, v: 0.5, correspondence: [...pairing], turns: TURNS },
       ).maps,
     [ends, pairing],
   );

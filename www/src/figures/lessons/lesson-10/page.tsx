@@ -20,7 +20,8 @@ import { type Prediction, usePrediction } from "../frame/prediction";
 import { Exercises } from "./exercises";
 import { Matching, matchingWords } from "./matching";
 import css from "./page.module.css";
-import { endsOf, FIRST, type First, LAST, usePlan } from "./plan";
+import { TURNS } from "./pairings";
+import { endsOf, FIRST, type First, LAST, turnsOf, usePlan } from "./plan";
 import { TEACHING } from "./teaching";
 
 const SIZE = 85;
@@ -72,7 +73,7 @@ export function Page(heading: Heading) {
           name: `Pairing ${LETTERS[name]}`,
           value: matchingWords(MATCHINGS[name]),
         })),
-        { name: "Turns", value: "the shortest" },
+        { name: "Turns", value: "the shortest; piece 2 by half a turn, counter-clockwise" },
         { name: "Resolution", symbol: "ε", value: "1/600 of the shape" },
       ]}
       sources={
@@ -88,6 +89,7 @@ export function Page(heading: Heading) {
           b: preset(LAST),
           t: 0.5,
           correspondence: [...MATCHINGS[guess]],
+          turns: TURNS,
         }),
       }}
     >
@@ -100,7 +102,7 @@ export function Page(heading: Heading) {
 function Between() {
   const { from, to } = useMemo(() => endsOf("dragon-3"), []);
   const half = (name: Name) => {
-    const options = { u: 0.5, v: 0.5, correspondence: [...MATCHINGS[name]] };
+    const options = { u: 0.5, v: 0.5, correspondence: [...MATCHINGS[name]], turns: TURNS };
     return frond.interpolate({ maps: from }, { maps: to }, options).maps;
   };
   // biome-ignore lint/correctness/useExhaustiveDependencies: the ends never change
@@ -193,7 +195,7 @@ function Maps() {
       </div>
       <div class={layout["triple"]}>
         {NAMES.map((name) => (
-          <Chart key={`${first} ${name}`} ends={ends} name={name} />
+          <Chart key={`${first} ${name}`} first={first} ends={ends} name={name} />
         ))}
       </div>
       <p>
@@ -205,11 +207,14 @@ function Maps() {
   );
 }
 
-function Chart({ ends, name }: { ends: Ends; name: Name }) {
-  const options = useMemo(() => ({ correspondence: [...MATCHINGS[name]] }), [name]);
+function Chart({ first, ends, name }: { first: First; ends: Ends; name: Name }) {
+  const options = useMemo(
+    () => ({ correspondence: [...MATCHINGS[name]], turns: turnsOf(first) }),
+    [first, name],
+  );
   const wish = useMemo(() => ({ ends, options, size: SIZE }), [ends, options]);
   const field = useChart(wish);
-  const plan = usePlan(ends, MATCHINGS[name]);
+  const plan = usePlan(ends, MATCHINGS[name], first);
   const holds = plan?.holds ?? false;
   const state = plan === null ? "being looked for" : meritWords(plan);
   return (

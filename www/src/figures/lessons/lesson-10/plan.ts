@@ -5,6 +5,7 @@ import type { Task } from "#workers/pool/protocol";
 import { preset } from "../../kit/frame/studio-link";
 import type { Ends } from "../../kit/maps/morphs";
 import { useAsk } from "../../kit/workers";
+import { TURNS } from "./pairings";
 
 const EPSILON = 1 / 600;
 
@@ -17,12 +18,18 @@ export const LAST = "gasket";
 
 export const endsOf = (first: First): Ends => ({ from: preset(first).maps, to: preset(LAST).maps });
 
+export const turnsOf = (first: First): number[] => (first === "dragon-3" ? TURNS : []);
+
 /** The best path of a pairing, or null until it is found. */
-export function usePlan(ends: Ends, pairing: readonly number[]): PathPlan | null {
+export function usePlan(ends: Ends, pairing: readonly number[], first: First = "dragon-3"): PathPlan | null {
   const [found, setFound] = useState<{ of: object; plan: PathPlan } | null>(null);
   const task = useMemo<Task<"plan3">>(
-    () => ({ kind: "plan3", ...ends, options: { correspondence: [...pairing], epsilon: EPSILON } }),
-    [ends, pairing],
+    () => ({
+      kind: "plan3",
+      ...ends,
+      options: { correspondence: [...pairing], turns: turnsOf(first), epsilon: EPSILON },
+    }),
+    [ends, pairing, first],
   );
   useAsk<"plan3">(task, 36, { accept: (of, plan) => setFound({ of, plan }) });
   return found && found.of === task ? found.plan : null;

@@ -41,7 +41,7 @@ function NarrowGap({ field }: ExercisesProps) {
       ask={`Find a shape that is in pieces, but by less than ${100 * NARROW}% of its size: a gap that hardly anybody would see.`}
       hints={[
         "Gaps do not jump: they close little by little as you come near to what is whole. So go towards the light.",
-        "Stay at v = 0.5 and bring u down from 0.5 in small steps. Somewhere between 0.2 and 0.15 the gap closes.",
+        "Stay at v = 0.5 and bring u down from 0.5 in small steps. Somewhere between 0.47 and 0.44 the gap closes.",
       ]}
       solved={answer && isNarrow(answer)}
       status={gapWords(answer)}

@@ -26,8 +26,8 @@ export const TEACHING: Teaching = {
   answer:
     "Place 3, the one that is far from both A and B. Its pieces lie across each other, and a small push does not part what crosses.",
   solutions: [
-    "u = 0.17, v = 0.5, for example.",
-    "Near u = 0.166 on the line v = 0.5: 0.165 is in one piece and 0.167 is not.",
+    "u = 0.45, v = 0.5, for example.",
+    "Near u = 0.4465 on the line v = 0.5: 0.446 is in one piece and 0.447 is not.",
   ],
   onPaper: [
     {
