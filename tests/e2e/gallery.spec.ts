@@ -99,10 +99,10 @@ test("swapped ends run the same morph backwards", async ({ studio, page }) => {
   const after = await studio.look();
   expect(after.box).toEqual(before.box);
   expect(Math.abs(after.lit / before.lit - 1)).toBeLessThan(0.002);
-  // The other half turn is another morph.
+  // The other half turn is that of eq 6: the link is one of those that had it counter-clockwise.
   await page.getByRole("button", { name: /^Turn map 2 / }).click();
   await studio.idle();
-  expect((await studio.scene()).turns.map(Math.abs)).toEqual([0, 1, 0]);
+  expect((await studio.scene()).turns).toEqual([]);
 });
 
 test("shapes with different numbers of maps morph all the same", async ({ studio, page }) => {

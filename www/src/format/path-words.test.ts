@@ -125,7 +125,7 @@ describe("ways to match", () => {
     expect(matchWords([0, 1, 2], [0, 0, 0])).toBe("each keeps its number");
     expect(matchWords([1, 0, 2], [])).toBe("1 becomes 2 and 2 becomes 1");
     expect(matchWords([1, 2, 3, 4, 0], [0, 1, 0, 0, 0])).toBe(
-      "5 of 5 maps change partner; one turns further",
+      "5 of 5 maps change partner; one turns differently",
     );
   });
 

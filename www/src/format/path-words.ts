@@ -21,7 +21,7 @@ export function matchWords(correspondence: readonly number[], turns: readonly nu
         : `${moved.length} of ${correspondence.length} maps change partner`;
   const turning = turns.filter((turn) => turn !== 0).length;
   if (turning === 0) return partners;
-  return `${partners}; ${turning === 1 ? "one turns" : `${turning} turn`} further`;
+  return `${partners}; ${turning === 1 ? "one turns" : `${turning} turn`} differently`;
 }
 
 /** Which way round a half turn goes that so many whole turns (1 or -1) would make the other one. */
