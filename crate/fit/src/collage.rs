@@ -9,7 +9,7 @@ use thiserror::Error;
 use self::factor::{bounded, clipped};
 use crate::error::FunctionError;
 use crate::fractal::curve::FractalCurve;
-use crate::fractal::piece::{Piece, spectral_norm};
+use crate::fractal::piece::{Piece, along, spectral_norm};
 use crate::outline::bounds;
 
 /// The most votes of range against domain.
@@ -184,12 +184,8 @@ pub fn fit_collage(points: &[DVec2], options: &CollageOptions) -> Result<Collage
 fn nearest(ring: &[DVec2], intervals: usize, options: &CollageOptions) -> CollageFit {
     let step = if options.domains == Domains::Recurrent { intervals } else { 1 };
     let maps = options.maps;
-    let mut fit = CollageFit {
-        maps: Vec::with_capacity(maps),
-        intervals,
-        separable: options.separable,
-        collage: 0.0,
-    };
+    let mut fit =
+        CollageFit { maps: Vec::with_capacity(maps), intervals, separable: options.separable, collage: 0.0 };
     let (mut range, mut domain) = (Vec::new(), Vec::new());
     for k in 0..maps {
         range.clear();
@@ -372,6 +368,7 @@ impl CollageFit {
                 shear,
                 factor: map.factor,
                 offset: map.offset - shear * from,
+                along: along([range, domain], map.reversed),
             }
         });
         FractalCurve::new(pieces.collect())
@@ -413,7 +410,9 @@ mod tests {
 
     #[test]
     fn a_map_takes_ten_numbers_and_a_separable_one_eight() {
-        for (separable, maps, numbers) in [(true, 29, 232), (true, 52, 416), (false, 29, 290), (false, 52, 520)] {
+        for (separable, maps, numbers) in
+            [(true, 29, 232), (true, 52, 416), (false, 29, 290), (false, 52, 520)]
+        {
             let options = CollageOptions { maps, separable, ..CollageOptions::default() };
             assert_eq!(fit_collage(&ring(261), &options).unwrap().numbers(), numbers);
         }
