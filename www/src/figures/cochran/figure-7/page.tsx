@@ -306,14 +306,15 @@ function Found({ maps, collages, fit, tied }: FoundProps) {
   if (!collage || lines.length < 2 || !fit.done) return <p>Fitting …</p>;
   const nearest = Math.min(...lines.map(({ rms }) => rms));
   const others = [...lines, { name: "The paper’s fit", rms: collage.figures.rms }];
+  const beside = nearestWords(fit.done.figures.rms, others);
   return (
     <p>
       With {collage.numbers} numbers the paper’s fit{tied ? ", its ends tied," : ""} is{" "}
       {fixed(collage.figures.rms / nearest, 1)} times as far from this leaf as the nearer of two polylines of
-      as many. Frond’s curve: {nearestWords(fit.done.figures.rms, others)} Roughness is the box dimension
-      between 1/64 and 1/256 of the diagonal: {fixed(collage.figures.outlineSlope, 3)} for the leaf itself,{" "}
-      {fixed(collage.figures.fitSlope, 3)} for the paper’s fit, {fixed(fit.done.figures.fitSlope, 3)} for
-      Frond’s curve.
+      as many. Frond’s curve: {beside.charAt(0).toLowerCase() + beside.slice(1)} Roughness is the box
+      dimension between 1/64 and 1/256 of the diagonal: {fixed(collage.figures.outlineSlope, 3)} for the leaf
+      itself, {fixed(collage.figures.fitSlope, 3)} for the paper’s fit, {fixed(fit.done.figures.fitSlope, 3)}{" "}
+      for Frond’s curve.
     </p>
   );
 }
