@@ -51,8 +51,8 @@ fn disc_of_cells(radius: f64) -> Vec<DVec2> {
     half.iter().copied().chain(half.iter().rev().map(|p| DVec2::new(-p.x, p.y))).collect()
 }
 
-/// Polylines within so many bytes as they may be looked for by whoever doubts a fit: corners by least squares, or all of
-/// the outline, on grids by quarters of an octave. The root mean square of the nearest.
+/// Polylines within so many bytes as they may be looked for by whoever doubts a fit: corners by least squares, or all
+/// of the outline, on grids by quarters of an octave. The root mean square of the nearest.
 fn nearest_polyline(outline: &Outline, bytes: usize) -> f64 {
     let guard = Guard::new(outline).unwrap();
     let counts = [6.5, 7.5, 8.5, 9.5, 11.0, 13.0].map(|bits| 2 * (8.0 * bytes as f64 / bits) as usize);
@@ -174,6 +174,8 @@ fn a_million_points_are_fitted_step_by_step_and_measured_at_all() {
     let fit = fitter.best().unwrap();
     let all = fidelity(&outline, &fit.spline.polyline(16));
     assert_eq!(fit.near, all);
+    let line = polyline_within(&outline, 40).unwrap();
+    assert!(all.rms <= fidelity(&outline, &line).rms, "the polyline is nearer at all points");
     assert!(fit.bytes.len() <= 40 && fit.near.rms < 1.0, "{}", fit.near.rms);
 }
 

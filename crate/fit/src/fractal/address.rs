@@ -7,7 +7,7 @@
 use glam::{DMat2, DVec2};
 use num_bigint::BigInt;
 
-use super::curve::{FractalCurve, Side};
+use super::curve::{FractalCurve, NEAR_KNOT, Side};
 
 /// What is left of a value when its letters end, in parts of the bound of the curve: of one that is right to the last
 /// digits, and of one that is drawn.
@@ -25,9 +25,6 @@ const BITS: (usize, usize) = (256, 1 << 17);
 
 /// Bits of a place that are right, behind the width of the narrowest piece.
 const RIGHT_BITS: f64 = 110.0;
-
-/// What may be taken for a knot, in parts of a piece.
-pub(super) const NEAR_KNOT: f64 = 1e-9;
 
 /// The sum of two numbers that do not overlap: twice as many digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -152,9 +149,9 @@ impl FractalCurve {
     /// The point at `t` (taken to the nearest end of the interval; NaN to the first), right to the last digits of the
     /// [bound](Self::bound): maps are taken as the numbers that they are.
     ///
-    /// Where a place comes as near to a knot as the rounding of `t` and of the maps allows it is that knot. Where pieces
-    /// do not meet it is the limit from the right, at the last end that from the left. Some thousand letters are
-    /// followed: with factors above 0.998 the last digits are not right.
+    /// Where a place comes as near to a knot as the rounding of `t` and of the maps allows, it is that knot. Where
+    /// pieces do not meet it is the limit from the right, at the last end that from the left. No more than 32,768
+    /// letters are followed: with factors above 0.998 the last digits are not right.
     #[must_use]
     pub fn precise_at(&self, t: f64) -> DVec2 {
         self.precise_limit(t, Side::Right, LEFT)
@@ -168,6 +165,14 @@ impl FractalCurve {
             return self.limit(t, side, 0.0);
         }
         self.precise_limit(t, side, LEFT_OF_DRAWN)
+    }
+
+    /// The widest step between neighbouring pieces: 0, or rounding, where the curve is continuous.
+    #[must_use]
+    pub fn widest_gap(&self) -> f64 {
+        let knots = self.pieces().iter().skip(1).map(|piece| piece.range[0]);
+        let step = |t| self.limit_at_end(t, Side::Left).distance(self.limit_at_end(t, Side::Right));
+        knots.map(step).fold(0.0, f64::max)
     }
 
     /// The limit from a side, but for what is left.

@@ -3,7 +3,6 @@
 use glam::{DMat2, DVec2};
 
 use crate::error::{FunctionError, MAX_POINTS};
-use crate::fractal::address::NEAR_KNOT;
 use crate::fractal::piece::Piece;
 
 /// The most letters of an address that an evaluation follows. With a factor of 0.999 the value is then right to 1e-43.
@@ -11,6 +10,9 @@ const MAX_DEPTH: usize = 100_000;
 
 /// How often the middle of the curve is taken anew. Any point serves as one, a better one for a smaller disc.
 const MIDDLE_ROUNDS: usize = 32;
+
+/// What may be taken for a knot, in parts of a piece.
+pub(super) const NEAR_KNOT: f64 = 1e-9;
 
 /// How far pieces may miss each other, as those that are printed with three digits do: in parts of the interval, and of
 /// the shorter piece.
@@ -332,13 +334,5 @@ impl FractalCurve {
             index
         };
         (0..letters).map(|_| step()).collect()
-    }
-
-    /// The widest step between neighbouring pieces: 0, or rounding, where the curve is continuous.
-    #[must_use]
-    pub fn widest_gap(&self) -> f64 {
-        let knots = self.pieces.iter().skip(1).map(|piece| piece.range[0]);
-        let step = |t| self.limit_at_end(t, Side::Left).distance(self.limit_at_end(t, Side::Right));
-        knots.map(step).fold(0.0, f64::max)
     }
 }

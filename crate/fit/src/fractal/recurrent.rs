@@ -69,7 +69,7 @@ impl FractalFunction {
             spans.push((knot(pair[0])?, knot(pair[1])?));
             c.push(piece.factor.x_axis.x);
         }
-        let points = knots.iter().map(|&t| DVec2::new(t, self.at(t))).collect();
+        let points = knots.iter().map(|&t| DVec2::new(t, self.precise_at(t))).collect();
         Some(Recurrent { points, c, spans })
     }
 }

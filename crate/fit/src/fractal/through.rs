@@ -57,8 +57,8 @@ fn equations(frame: &FractalFunction, points: &[DVec2], c: &[f64]) -> Vec<Vec<f6
     ends.enumerate().map(row).collect()
 }
 
-/// The solution by Gauss's elimination, with the greatest of each column as its pivot; none where there is none, or more
-/// than one.
+/// The solution by Gauss's elimination, with the greatest of each column as its pivot; none where there is none, or
+/// more than one.
 fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     let count = rows.len();
     for column in 0..count {

@@ -185,8 +185,8 @@ fn followed(outline: &Outline, bytes: usize) -> Outline {
 /// [`polyline_within`](crate::polyline_within), with which it begins. Where the outline meets itself nowhere, the curve
 /// does not either.
 ///
-/// An outline of more than [`MAX_PREPARED`](crate::MAX_PREPARED) points is followed at so many places along it, and measured at all of its
-/// points.
+/// An outline of more than [`MAX_PREPARED`](crate::MAX_PREPARED) points is followed at so many places along it, and
+/// measured at all of its points.
 ///
 /// None where nothing was found: the outline lies so far from the origin that places take too many bytes, or is so thin
 /// that on a grid of some hundred steps it would fall together.
