@@ -62,6 +62,11 @@ describe("the package of the fit", () => {
       widest: number;
     };
     expect(collage.maps).toHaveLength(12);
+    // Ten numbers a map, eight where x and y are copied apart (section 3.2).
+    const options = { model: "collage", maps: 12, features: 60 } as const;
+    const numbersOf = (separable: boolean) =>
+      (fit.fitCurve(outline.points, { ...options, separable }) as unknown as { numbers: number }).numbers;
+    expect([numbersOf(false), numbersOf(true)]).toEqual([120, 96]);
     expect(collage.widest).toBeGreaterThan(0);
   });
 

@@ -2,6 +2,8 @@ import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { beforeAll, describe, expect, it } from "vitest";
 import init, * as frond from "../../www/pkg/index.js";
+import { heightsAlong, TOP } from "../../www/src/figures/cochran/graphs/arrowhead";
+import { TABLE_3 } from "../../www/src/figures/cochran/graphs/printed-tables";
 
 type Graph = ReturnType<typeof frond.interpolation>;
 type Row = [number, number, number, number, number];
@@ -51,6 +53,15 @@ function make(one: Known): Graph {
     ...(jk && { spans: jk }),
   });
 }
+
+/** t and F(t) of a rough function, by exact fractions of the numbers of its maps. */
+const ROUGH = [
+  [0.0123, 0.16238540663349613],
+  [0.05, -0.044157815867358334],
+  [0.0777, 0.177959555765068],
+  [0.11, 0.08268693265428728],
+  [0.031, -0.13187548300409435],
+] as const;
 
 function expectCode(work: () => unknown, code: string): void {
   expect(work).toThrowError(expect.objectContaining({ code }));
@@ -161,6 +172,39 @@ describe("fractal functions", () => {
     expect(facts.widestGap).toBeCloseTo(Math.abs(table.join_left_limit - table.join_right_limit), 9);
     expect(facts.dimension).toBeCloseTo(box_dim_formula, 9);
     expect(facts.interval).toEqual(domain);
+  });
+
+  it("take a table of three digits as it is printed, slits and all", () => {
+    // How far Table 3 is from the curve of Figure 4: 0.0858 and 0.000180 in the paper, which does not say where.
+    const graph: Graph = { kind: "pfif", pieces: [...TABLE_3] };
+    const heights = heightsAlong(7, TOP);
+    let [worst, squares] = [0, 0];
+    for (let i = 0; i < heights.length; i += 2) {
+      const miss = Math.abs(frond.graphAt(graph, heights[i] ?? 0) - (heights[i + 1] ?? 0));
+      [worst, squares] = [Math.max(worst, miss), squares + (2 * miss * miss) / heights.length];
+    }
+    expect(worst).toBeCloseTo(0.08861, 4);
+    expect(squares).toBeCloseTo(0.000183, 6);
+    expect(frond.graphFacts(graph)).toMatchObject({ continuous: false });
+    expect(frond.toRecurrent(graph, 100)).toBeNull();
+    const wide = TABLE_3.map(({ map: [a, b, c, d, e], domain }, i) => ({
+      map: [a, b, c, i === 3 ? d - 0.004 : d, e] as Row,
+      domain,
+    }));
+    expectCode(() => frond.graphAt({ kind: "pfif", pieces: wide }, 0.5), "not-joined");
+  });
+
+  it("have values that do not lose their digits where roughness is high and a piece is short", () => {
+    const rough = frond.interpolation(
+      [
+        [0, 0.3],
+        [0.12, -0.4],
+        [0.55, 0.9],
+        [1, 0.1],
+      ],
+      { c: [0.87, -0.8, 0.6] },
+    );
+    for (const [t, x] of ROUGH) expect(frond.graphAt(rough, t)).toBeCloseTo(x, 13);
   });
 
   it("say what is wrong with them", () => {

@@ -9,7 +9,7 @@ use thiserror::Error;
 use self::factor::{bounded, clipped};
 use crate::error::FunctionError;
 use crate::fractal::curve::FractalCurve;
-use crate::fractal::piece::{Piece, spectral_norm};
+use crate::fractal::piece::{Piece, along, spectral_norm};
 use crate::outline::bounds;
 
 /// The most votes of range against domain.
@@ -134,8 +134,17 @@ pub struct CollageFit {
     pub maps: Vec<RingMap>,
     /// M, the intervals of a range.
     pub intervals: usize,
+    /// Whether x and y are copied apart from each other (eq 8): all factors are diagonal.
+    pub separable: bool,
     /// The sum of squares of eq 15 over all ranges.
     pub collage: f64,
+}
+
+/// How many numbers a map takes: a, d, two b, two e and the factors, "eight parameters in the separable case (8) or the
+/// ten parameters in the non-separable case (9)" (Cochran, Hart & Flynn, section 3.2).
+#[must_use]
+pub const fn numbers_per_map(separable: bool) -> usize {
+    if separable { 8 } else { 10 }
 }
 
 /// Fits a ring of feature points by the collage: for each range the domain, way round and factors of least squares.
@@ -175,7 +184,8 @@ pub fn fit_collage(points: &[DVec2], options: &CollageOptions) -> Result<Collage
 fn nearest(ring: &[DVec2], intervals: usize, options: &CollageOptions) -> CollageFit {
     let step = if options.domains == Domains::Recurrent { intervals } else { 1 };
     let maps = options.maps;
-    let mut fit = CollageFit { maps: Vec::with_capacity(maps), intervals, collage: 0.0 };
+    let mut fit =
+        CollageFit { maps: Vec::with_capacity(maps), intervals, separable: options.separable, collage: 0.0 };
     let (mut range, mut domain) = (Vec::new(), Vec::new());
     for k in 0..maps {
         range.clear();
@@ -292,10 +302,10 @@ fn line(samples: &[DVec2], tied: bool) -> (DVec2, DVec2) {
 }
 
 impl CollageFit {
-    /// How many numbers it is made of: factors, b and e, and the domain with its way round.
+    /// How many numbers it is made of: those of its maps.
     #[must_use]
     pub fn numbers(&self) -> usize {
-        self.maps.len() * 10
+        self.maps.len() * numbers_per_map(self.separable)
     }
 
     /// The point of the fit at each feature point (the first of the two where pieces do not meet), and where each piece
@@ -358,6 +368,7 @@ impl CollageFit {
                 shear,
                 factor: map.factor,
                 offset: map.offset - shear * from,
+                along: along([range, domain], map.reversed),
             }
         });
         FractalCurve::new(pieces.collect())
@@ -394,6 +405,16 @@ mod tests {
                     assert!(curve.at(i as f64 / 120.0).distance(p) < 1e-9, "point {i}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_map_takes_ten_numbers_and_a_separable_one_eight() {
+        for (separable, maps, numbers) in
+            [(true, 29, 232), (true, 52, 416), (false, 29, 290), (false, 52, 520)]
+        {
+            let options = CollageOptions { maps, separable, ..CollageOptions::default() };
+            assert_eq!(fit_collage(&ring(261), &options).unwrap().numbers(), numbers);
         }
     }
 

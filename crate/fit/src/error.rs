@@ -68,16 +68,24 @@ pub enum FunctionError {
         /// Index of the piece.
         piece: usize,
     },
-    /// The pieces leave a hole or lie over each other.
-    #[error("Piece {} does not begin where the one before it ends.", .piece + 1)]
+    /// The pieces leave a hole or lie over each other, by more than printed numbers are rounded.
+    #[error(
+        "Piece {} begins at {begin:.6}, but the one before it ends at {end:.6}. Choose a, d and the parts so that pieces \
+         meet: up to 1/400 of the whole is taken for rounding.",
+        .piece + 1
+    )]
     NotJoined {
         /// Index of the second of the two.
         piece: usize,
+        /// Where it begins.
+        begin: f64,
+        /// Where the one before it ends.
+        end: f64,
     },
-    /// The values at the ends of the domains, which hang on each other, grow without end.
+    /// No values at the ends of the domains, which hang on each other, or endlessly many are in accord.
     #[error(
-        "With these parts and factors the ends of the parts run away. Make factors smaller, or let parts begin and end \
-         at points."
+        "With just these parts and factors no values at the ends of the parts fit together. Change a factor or a part a \
+         little, or let parts begin and end at points."
     )]
     Unsettled,
 }

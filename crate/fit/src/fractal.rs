@@ -1,5 +1,6 @@
 //! Fractal functions and curves: what is made of smaller copies of parts of itself.
 
+mod address;
 pub mod curve;
 pub mod function;
 pub mod piece;

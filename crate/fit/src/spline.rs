@@ -9,6 +9,7 @@ mod grids;
 mod law;
 mod pack;
 mod path;
+mod polylines;
 mod room;
 mod text;
 mod window;
@@ -16,7 +17,7 @@ mod window;
 pub use fitter::{LEAST_BYTES, MOST_BYTES, SplineFit, SplineFitter, fit_within};
 pub use law::StepLaw;
 pub use pack::SplineError;
-pub(crate) use pack::kept_grid;
+pub(crate) use polylines::nearest_polyline;
 
 use glam::DVec2;
 

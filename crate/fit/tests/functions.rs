@@ -93,7 +93,10 @@ fn errors_have_codes() {
     assert_eq!(outside, Err(FunctionError::BadDomain { piece: 1 }));
     let half = ([0.5, 0.0, 0.5, 0.0, 0.0], [0.0, 1.0]);
     let far = ([0.5, 0.0, 0.5, 0.6, 0.0], [0.0, 1.0]);
-    assert_eq!(FractalFunction::pfif(&[half, far]), Err(FunctionError::NotJoined { piece: 1 }));
+    assert_eq!(
+        FractalFunction::pfif(&[half, far]),
+        Err(FunctionError::NotJoined { piece: 1, begin: 0.6, end: 0.5 })
+    );
     assert_eq!(FractalFunction::pfif(&[]).map_err(|e| e.code()), Err("too-few-points"));
 }
 

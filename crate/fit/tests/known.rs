@@ -213,7 +213,7 @@ fn the_attractors_of_fitted_maps() {
     for (name, case) in leaves() {
         let maps: Vec<_> = case["maps"].as_array().unwrap().iter().map(ring_map).collect();
         let intervals = case["M"].as_u64().unwrap() as usize;
-        let fit = CollageFit { maps, intervals, collage: 0.0 };
+        let fit = CollageFit { maps, intervals, separable: case["mode"] == "sep", collage: 0.0 };
         let (points, _) = fit.attractor();
         let knots = rows::<2>(&case["attractor_knots"]);
         assert_eq!(points.len(), knots.len());

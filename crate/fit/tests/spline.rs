@@ -2,7 +2,7 @@
 
 use frond_fit::{
     Guard, Node, Outline, Spline, SplineError, SplineFitter, decimated, fidelity, fit_within, island,
-    maple_leaf,
+    least_squares_polyline, maple_leaf, polyline_within, sugar_maple,
 };
 use glam::DVec2;
 use proptest::prelude::*;
@@ -37,6 +37,74 @@ fn fitted(outline: &Outline, bytes: usize) -> f64 {
         }
     }
     near.rms
+}
+
+/// The boundary of the cells of a grid whose middles lie in a disc.
+fn disc_of_cells(radius: f64) -> Vec<DVec2> {
+    let most = radius.ceil() as i32;
+    let wide = |y: i32| (0..=most).rfind(|&x| f64::from(x).hypot(f64::from(y)) <= radius).unwrap_or(0);
+    let half: Vec<DVec2> = (-most..=most)
+        .filter(|&y| f64::from(y).abs() <= radius)
+        .flat_map(|y| [(wide(y), y), (wide(y), y + 1)])
+        .map(|(x, y)| DVec2::new(f64::from(x) + 0.5, f64::from(y) - 0.5))
+        .collect();
+    half.iter().copied().chain(half.iter().rev().map(|p| DVec2::new(-p.x, p.y))).collect()
+}
+
+/// Polylines within so many bytes as they may be looked for by whoever doubts a fit: corners by least squares, or all
+/// of the outline, on grids by quarters of an octave. The root mean square of the nearest.
+fn nearest_polyline(outline: &Outline, bytes: usize) -> f64 {
+    let guard = Guard::new(outline).unwrap();
+    let counts = [6.5, 7.5, 8.5, 9.5, 11.0, 13.0].map(|bits| 2 * (8.0 * bytes as f64 / bits) as usize);
+    let lines = counts.map(|numbers| least_squares_polyline(outline, numbers));
+    let mut nearest = f64::INFINITY;
+    for line in lines.iter().map(Vec::as_slice).chain([outline.points()]) {
+        for quarter in 8..40 {
+            // Widths of two digits of sixteen, as the form keeps them.
+            let grid = outline.diagonal() * (-0.25 * f64::from(quarter)).exp2();
+            let grid = f64::from_bits(grid.to_bits() >> 46 << 46);
+            for grid in [grid, grid.log2().round().exp2()] {
+                let mut nodes: Vec<_> =
+                    line.iter().map(|p| Node { at: (*p / grid).round(), on: true }).collect();
+                nodes.dedup();
+                let plain = Spline { nodes, grid };
+                if plain.to_bytes().is_ok_and(|packed| packed.len() <= bytes) {
+                    let drawn = plain.polyline(1);
+                    if drawn.len() >= 3 && guard.passes(&drawn) {
+                        nearest = nearest.min(fidelity(outline, &drawn).rms);
+                    }
+                }
+            }
+        }
+    }
+    nearest
+}
+
+/// A fit is no farther than the polyline that is shown beside it, nor than those of the search above.
+fn beats_polylines(points: &[DVec2], bytes: usize) {
+    let outline = Outline::new(points).unwrap();
+    let fit = fit_within(&outline, bytes).map_or(f64::INFINITY, |fit| fit.near.rms);
+    if let Some(line) = polyline_within(&outline, bytes) {
+        let beside = fidelity(&outline, &line).rms;
+        assert!(fit <= beside, "{bytes} bytes: {fit}, the polyline beside it {beside}");
+    }
+    let nearest = nearest_polyline(&outline, bytes);
+    // Where corners come to lie on a grid of another width is as good as chance.
+    assert!(fit <= 1.05 * nearest + 1e-9, "{bytes} bytes: {fit}, a polyline {nearest}");
+}
+
+#[test]
+fn drawings_on_a_grid_are_fitted_exactly_where_a_polyline_is() {
+    for radius in [2.3, 3.0, 3.6, 4.2, 5.0] {
+        let outline = Outline::new(&disc_of_cells(radius)).unwrap();
+        for bytes in [32, 40] {
+            beats_polylines(outline.points(), bytes);
+        }
+        assert!(fit_within(&outline, 48).unwrap().near.rms < 1e-9, "{radius}");
+    }
+    let stairs = (0..9).flat_map(|i| [(i, i), (i + 1, i)]).map(|(x, y)| DVec2::new(x.into(), y.into()));
+    let stairs: Vec<_> = stairs.chain([DVec2::new(9.0, 9.0), DVec2::new(0.0, 9.0)]).collect();
+    beats_polylines(&stairs, 32);
 }
 
 #[test]
@@ -106,6 +174,8 @@ fn a_million_points_are_fitted_step_by_step_and_measured_at_all() {
     let fit = fitter.best().unwrap();
     let all = fidelity(&outline, &fit.spline.polyline(16));
     assert_eq!(fit.near, all);
+    let line = polyline_within(&outline, 40).unwrap();
+    assert!(all.rms <= fidelity(&outline, &line).rms, "the polyline is nearer at all points");
     assert!(fit.bytes.len() <= 40 && fit.near.rms < 1.0, "{}", fit.near.rms);
 }
 
@@ -170,5 +240,45 @@ proptest! {
         let spline = Spline { nodes, grid: 1.5 * f64::from(exponent).exp2() };
         let bytes = spline.to_bytes().unwrap();
         prop_assert_eq!(Spline::from_bytes(&bytes).unwrap(), spline);
+    }
+}
+
+/// Outlines as they are drawn, and as they grow: discs and stairs of grid steps, rectangles, stars, rough leaves.
+fn any_outline() -> impl Strategy<Value = Vec<DVec2>> {
+    let rectangle = (1..30_i32, 1..30_i32).prop_map(|(x, y)| {
+        let (x, y) = (f64::from(x), f64::from(y));
+        [(0.0, 0.0), (x, 0.0), (x, y), (0.0, y)].map(DVec2::from).to_vec()
+    });
+    let stairs = proptest::collection::vec((1..5_i32, 1..5_i32), 2..14).prop_map(|steps| {
+        let (mut at, mut line) = (DVec2::ZERO, vec![DVec2::ZERO]);
+        for (x, y) in steps {
+            for step in [DVec2::new(x.into(), 0.0), DVec2::new(0.0, y.into())] {
+                at += step;
+                line.push(at);
+            }
+        }
+        line.push(DVec2::new(0.0, at.y));
+        line
+    });
+    let star = (3..12_usize, 0.2..0.9_f64, 0.0..6.0_f64).prop_map(|(tips, bay, turn)| {
+        let tip = |i: usize| DVec2::from_angle(turn + std::f64::consts::PI * i as f64 / tips as f64);
+        (0..2 * tips).map(|i| tip(i) * if i % 2 == 0 { 1.0 } else { bay }).collect()
+    });
+    let leaf = (0..1000_u32, 60..600_usize, 0..3).prop_map(|(seed, count, kind)| {
+        let points = [maple_leaf, sugar_maple, island][kind as usize](seed);
+        Outline::new(&points).unwrap().resampled(count).points().to_vec()
+    });
+    let shape = prop_oneof![(1.5..9.0_f64).prop_map(disc_of_cells), rectangle, stairs, star, leaf];
+    let size = prop_oneof![Just(1.0), Just(0.25), Just(3.0), 0.01..100.0_f64];
+    let place = prop_oneof![Just(DVec2::ZERO), (-50.0..50.0_f64, -50.0..50.0_f64).prop_map(DVec2::from)];
+    (shape, size, place).prop_map(|(points, size, place)| points.iter().map(|p| *p * size + place).collect())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(6)))]
+
+    #[test]
+    fn no_polyline_of_as_many_bytes_is_nearer(points in any_outline(), bytes in 32..81_usize) {
+        beats_polylines(&points, bytes);
     }
 }

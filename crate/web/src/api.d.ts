@@ -437,7 +437,10 @@ export interface GraphPiece {
  */
 export interface Graph {
   kind: "fif" | "rfif" | "pfif";
-  /** From left to right, 1 to 256. */
+  /**
+   * From left to right, 1 to 256. Printed numbers may leave slits of up to 1/400 of the whole, in which the nearer end
+   * goes on, or make pieces overlap as much, where the right one holds.
+   */
   pieces: GraphPiece[];
 }
 

@@ -8,9 +8,9 @@ use std::f64::consts::{LN_2, TAU};
 
 use glam::DVec2;
 
-use super::{bezier_segments, least_squares_polyline};
+use super::bezier_segments;
 use crate::outline::{MAX_PREPARED, Nearest, Outline};
-use crate::spline::{Node, Spline, StepLaw, kept_grid};
+use crate::spline::{StepLaw, nearest_polyline};
 
 /// Bits for how many there are, for a first point, and for a parameter of a code.
 const COUNT_BITS: f64 = 12.0;
@@ -19,9 +19,6 @@ const PARAMETER_BITS: f64 = 5.0;
 
 /// Bits for the two numbers of a [`StepLaw`].
 const STEPS_BITS: f64 = 10.0;
-
-/// How many grids are tried within an octave to each side of the finest that holds a polyline.
-const NEAR_GRIDS: i32 = 16;
 
 /// The nearest so far, and how near it is: the sum of squares of distances.
 #[derive(Default)]
@@ -54,35 +51,13 @@ fn grids(diagonal: f64) -> impl Iterator<Item = f64> {
     (0..28).map(move |i| diagonal / 12.0 * 0.5_f64.powf(f64::from(i) / 2.0))
 }
 
-/// The corners of the best polylines by least squares, on the grid by which they are nearest, in the same form as our
-/// own curves.
+/// The nearest polyline that is found within so many bytes, in the same form as our own curves: the outline's own
+/// corners, or others of the best polylines by least squares, on the grid by which they are nearest.
+///
+/// Where the outline meets itself nowhere, it does not either. None where nothing fits into so few bytes.
 #[must_use]
 pub fn polyline_within(outline: &Outline, bytes: usize) -> Option<Vec<DVec2>> {
-    let outline = &measured(outline);
-    let mut best = Best::default();
-    for bits in [6.5, 7.5, 8.5, 9.5, 11.0, 13.0] {
-        let corners = least_squares_polyline(outline, 2 * (8.0 * bytes as f64 / bits) as usize);
-        let on = |grid: f64| {
-            let grid = kept_grid(grid);
-            let nodes = corners.iter().map(|p| Node { at: (*p / grid).round(), on: true }).collect();
-            Spline { nodes, grid }
-        };
-        let fits = |spline: &Spline| spline.to_bytes().is_ok_and(|packed| packed.len() <= bytes);
-        let Some(finest) = grids(outline.diagonal()).take_while(|&grid| fits(&on(grid))).last() else {
-            continue;
-        };
-        // Around the finest that fits: where corners come to lie is as good as chance.
-        let around = (-NEAR_GRIDS..=NEAR_GRIDS).map(|k| f64::from(k) / f64::from(NEAR_GRIDS) + finest.log2());
-        // Drawings lie on grids of their own.
-        let whole = (-1..=1).map(|k| f64::from(k) + finest.log2().floor());
-        for exponent in around.chain(whole) {
-            let spline = on(exponent.exp2());
-            if fits(&spline) {
-                best.show(outline, spline.polyline(1));
-            }
-        }
-    }
-    best.line()
+    nearest_polyline(outline, bytes).map(|spline| spline.polyline(1))
 }
 
 /// Fourier descriptors on the grid by which they are nearest: frequencies whose amplitudes fall as a power, each number

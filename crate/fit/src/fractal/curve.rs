@@ -12,7 +12,11 @@ const MAX_DEPTH: usize = 100_000;
 const MIDDLE_ROUNDS: usize = 32;
 
 /// What may be taken for a knot, in parts of a piece.
-const NEAR_KNOT: f64 = 1e-9;
+pub(super) const NEAR_KNOT: f64 = 1e-9;
+
+/// How far pieces may miss each other, as those that are printed with three digits do: in parts of the interval, and of
+/// the shorter piece.
+const MOST_SLIT: (f64, f64) = (2.5e-3, 0.25);
 
 /// From which side a value is approached. It matters only where pieces do not meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +25,15 @@ pub enum Side {
     Left,
     /// The limit from larger t.
     Right,
+}
+
+impl Side {
+    pub(crate) const fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
 }
 
 /// A curve (x(t), y(t)) over an interval that is made of smaller copies of parts of itself
@@ -38,6 +51,10 @@ pub struct FractalCurve {
 impl FractalCurve {
     /// A partitioned fractal curve (eq 7): any pieces that follow each other without holes, each a copy of any longer
     /// part.
+    ///
+    /// Numbers that were printed with few digits leave slits between pieces, or make them overlap: up to 1/400 of the
+    /// interval and a quarter of the shorter piece is taken for that. In a slit the nearer end goes on; where two
+    /// overlap the right one holds.
     ///
     /// # Errors
     /// Where numbers are not finite, pieces do not join, a domain is too short or outside, or a factor's norm is not
@@ -57,21 +74,28 @@ impl FractalCurve {
         let slack = 1e-9 * (end - start).abs();
         for i in 0..pieces.len() {
             if i > 0 {
-                let before = pieces[i - 1].range[1];
-                if (pieces[i].range[0] - before).abs() > slack {
-                    return Err(FunctionError::NotJoined { piece: i });
+                let (before, begin) = (pieces[i - 1].range, pieces[i].range[0]);
+                let slit = (begin - before[1]).abs();
+                let shorter = (before[1] - before[0]).min(pieces[i].range[1] - begin);
+                if slit <= slack {
+                    pieces[i].range[0] = before[1];
+                } else if slit > MOST_SLIT.0 * (end - start) || slit > MOST_SLIT.1 * shorter {
+                    return Err(FunctionError::NotJoined { piece: i, begin, end: before[1] });
                 }
-                pieces[i].range[0] = before;
             }
             let Piece { range, domain, .. } = pieces[i];
             if range[0] >= range[1] {
                 return Err(FunctionError::NotIncreasing { index: i + 1 });
             }
-            let inside = domain[0] >= start - slack && domain[1] <= end + slack;
+            let held = domain.map(|t| t.clamp(start, end));
+            let out = (held[0] - domain[0]).abs().max((held[1] - domain[1]).abs());
+            let inside = out <= slack.max(MOST_SLIT.0 * (end - start));
             if !inside || domain[1] - domain[0] <= range[1] - range[0] {
                 return Err(FunctionError::BadDomain { piece: i });
             }
-            pieces[i].domain = domain.map(|t| t.clamp(start, end));
+            if out <= slack {
+                pieces[i].domain = held;
+            }
             let factor = pieces[i].gain();
             if factor >= 1.0 {
                 return Err(FunctionError::NotContractive { piece: i, factor });
@@ -217,10 +241,15 @@ impl FractalCurve {
             Side::Right => self.pieces.partition_point(|piece| piece.range[0] <= t),
             Side::Left => self.pieces.partition_point(|piece| piece.range[0] < t),
         };
-        index.clamp(1, self.pieces.len()) - 1
+        let index = index.clamp(1, self.pieces.len()) - 1;
+        let into_slit = t - self.pieces[index].range[1];
+        let is_next_nearer = |next: &Piece| into_slit > 0.0 && next.range[0] - t < into_slit;
+        index + usize::from(self.pieces.get(index + 1).is_some_and(is_next_nearer))
     }
 
-    /// The point at `t` (taken to the nearest end of the interval; NaN to the first), right to the last digits.
+    /// The point at `t` (taken to the nearest end of the interval; NaN to the first), as near as numbers of 53 bits can
+    /// follow its address: where some factor is near 1 and its piece is short, the error may be 1e-3 of the height.
+    /// [`precise_at`](Self::precise_at) takes longer, and is right.
     ///
     /// Where pieces do not meet it is the limit from the right, at the last end that from the left.
     #[must_use]
@@ -270,7 +299,7 @@ impl FractalCurve {
             }
             let source = piece.source(t);
             if piece.reflected {
-                side = if side == Side::Left { Side::Right } else { Side::Left };
+                side = side.other();
             }
             error = (error / piece.a().abs() + unit).min(NEAR_KNOT * (high - low));
             sum += factor * (piece.shear * source + piece.offset);
@@ -284,6 +313,12 @@ impl FractalCurve {
         sum
     }
 
+    /// Where a piece is seen: its range, less what the next one lies over.
+    pub(crate) fn seen(&self, index: usize) -> [f64; 2] {
+        let [low, high] = self.pieces[index].range;
+        [low, self.pieces.get(index + 1).map_or(high, |next| high.min(next.range[0]))]
+    }
+
     /// The address of `t`: the pieces that hold it, the largest first, `letters` of them.
     #[must_use]
     pub fn address(&self, t: f64, letters: usize) -> Vec<usize> {
@@ -294,18 +329,10 @@ impl FractalCurve {
             let index = self.piece_at(t, side);
             t = self.pieces[index].source(t);
             if self.pieces[index].reflected {
-                side = if side == Side::Left { Side::Right } else { Side::Left };
+                side = side.other();
             }
             index
         };
         (0..letters).map(|_| step()).collect()
-    }
-
-    /// The widest step between neighbouring pieces: 0, or rounding, where the curve is continuous.
-    #[must_use]
-    pub fn widest_gap(&self) -> f64 {
-        let knots = self.pieces.iter().skip(1).map(|piece| piece.range[0]);
-        let step = |t| self.limit(t, Side::Left, 0.0).distance(self.limit(t, Side::Right, 0.0));
-        knots.map(step).fold(0.0, f64::max)
     }
 }

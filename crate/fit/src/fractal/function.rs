@@ -78,7 +78,13 @@ impl FractalFunction {
         &self.curve
     }
 
-    /// F at `t`, right to the last digits; from the right where pieces do not meet.
+    /// F at `t` as [`FractalCurve::precise_at`] has it: right to the last digits.
+    #[must_use]
+    pub fn precise_at(&self, t: f64) -> f64 {
+        self.curve.precise_at(t).x
+    }
+
+    /// F at `t` as [`FractalCurve::at`] has it; from the right where pieces do not meet.
     #[must_use]
     pub fn at(&self, t: f64) -> f64 {
         self.curve.at(t).x

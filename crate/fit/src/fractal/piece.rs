@@ -10,7 +10,8 @@ use glam::{DMat2, DVec2};
 ///     | y |     | by cyx  cy| | y |   | ey|        eq 1 where y is nothing
 /// ```
 ///
-/// a and d are not stored: they follow from the two intervals and from whether the copy is reflected.
+/// a and d are kept as they were given, from which the range follows by rounding, or as they follow from the two
+/// intervals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
     /// The interval of t that the piece fills.
@@ -25,6 +26,8 @@ pub struct Piece {
     pub factor: DMat2,
     /// (ex, ey).
     pub offset: DVec2,
+    /// a and d.
+    pub(crate) along: [f64; 2],
 }
 
 impl Piece {
@@ -41,7 +44,7 @@ impl Piece {
         let rest = (last - factor * domain_ends[1]) - (first - factor * domain_ends[0]);
         let shear = rest / (domain[1] - domain[0]);
         let offset = first - factor * domain_ends[0] - shear * domain[0];
-        Self { range, domain, reflected, shear, factor, offset }
+        Self { range, domain, reflected, shear, factor, offset, along: along([range, domain], reflected) }
     }
 
     /// The piece of a scalar map `[a, b, c, d, e]` (eq 1) over a domain.
@@ -57,6 +60,7 @@ impl Piece {
             shear: DVec2::new(b, 0.0),
             factor,
             offset: DVec2::new(e, 0.0),
+            along: [a, d],
         }
     }
 
@@ -72,14 +76,13 @@ impl Piece {
     /// The factor of t: negative where reflected, of size below 1.
     #[must_use]
     pub fn a(&self) -> f64 {
-        let size = (self.range[1] - self.range[0]) / (self.domain[1] - self.domain[0]);
-        if self.reflected { -size } else { size }
+        self.along[0]
     }
 
     /// The shift of t.
     #[must_use]
     pub fn d(&self) -> f64 {
-        self.range[0] - self.a() * self.domain[usize::from(self.reflected)]
+        self.along[1]
     }
 
     /// `[a, b, c, d, e]` of the x coordinate (eq 1).
@@ -130,8 +133,18 @@ impl Piece {
     pub(crate) fn is_finite(&self) -> bool {
         let numbers = [self.range, self.domain].into_iter().flatten();
         let values = [self.shear, self.offset, self.factor.x_axis, self.factor.y_axis];
-        numbers.chain(values.into_iter().flat_map(|v| v.to_array())).all(|x| x.abs() <= 1e100)
+        numbers
+            .chain(values.into_iter().flat_map(|v| v.to_array()))
+            .chain(self.along)
+            .all(|x| x.abs() <= 1e100)
     }
+}
+
+/// a and d that bring a domain to a range.
+pub(crate) fn along([range, domain]: [[f64; 2]; 2], reflected: bool) -> [f64; 2] {
+    let size = (range[1] - range[0]) / (domain[1] - domain[0]);
+    let a = if reflected { -size } else { size };
+    [a, range[0] - a * domain[usize::from(reflected)]]
 }
 
 /// The largest singular value.

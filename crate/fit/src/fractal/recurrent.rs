@@ -37,11 +37,14 @@ impl FractalFunction {
     /// must be a knot, too; and so on, until there are no new ones. This answers the question that Cochran, Hart &
     /// Flynn leave open (section 4.2): the seven maps of Table 3 come to eleven pieces.
     ///
-    /// Where pieces did not meet, they do now: at the limit from the right.
+    /// Where pieces did not meet, they do now: at the limit from the right. None where slits are left between pieces.
     #[must_use]
     pub fn to_recurrent(&self, most: usize) -> Option<Recurrent> {
         let pieces = self.curve().pieces();
         let [start, end] = self.curve().interval();
+        if pieces.windows(2).any(|pair| pair[0].range[1] != pair[1].range[0]) {
+            return None;
+        }
         let near = KNOT_DISTANCE * (end - start);
         let ends = pieces.iter().flat_map(|piece| piece.range.into_iter().chain(piece.domain));
         let mut waiting: Vec<f64> = ends.collect();
@@ -66,7 +69,7 @@ impl FractalFunction {
             spans.push((knot(pair[0])?, knot(pair[1])?));
             c.push(piece.factor.x_axis.x);
         }
-        let points = knots.iter().map(|&t| DVec2::new(t, self.at(t))).collect();
+        let points = knots.iter().map(|&t| DVec2::new(t, self.precise_at(t))).collect();
         Some(Recurrent { points, c, spans })
     }
 }

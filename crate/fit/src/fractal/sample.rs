@@ -22,25 +22,25 @@ struct Part {
 }
 
 /// The values at the ends of pieces, which most parts of a curve begin with: each is found once.
-struct Ends<'a> {
+pub(super) struct Ends<'a> {
     curve: &'a FractalCurve,
     /// From the right at the first t of a piece, from the left at its last.
     known: Vec<[Option<DVec2>; 2]>,
 }
 
 impl<'a> Ends<'a> {
-    fn new(curve: &'a FractalCurve) -> Self {
+    pub(super) fn new(curve: &'a FractalCurve) -> Self {
         Self { curve, known: vec![[None; 2]; curve.pieces().len()] }
     }
 
     /// As [`FractalCurve::limit`].
-    fn limit(&mut self, t: f64, side: Side, tolerance: f64) -> DVec2 {
+    pub(super) fn limit(&mut self, t: f64, side: Side, tolerance: f64) -> DVec2 {
         let index = self.curve.piece_at(t, side);
         let end = usize::from(side == Side::Left);
         if t != self.curve.pieces()[index].range[end] {
             return self.curve.limit(t, side, tolerance);
         }
-        *self.known[index][end].get_or_insert_with(|| self.curve.limit(t, side, 0.0))
+        *self.known[index][end].get_or_insert_with(|| self.curve.limit_at_end(t, side))
     }
 }
 
@@ -109,7 +109,7 @@ impl FractalCurve {
             self.split(&part, &mut stack);
         }
         let end = self.interval()[1];
-        points.push((end, self.limit(end, Side::Left, 0.0)));
+        points.push((end, ends.limit(end, Side::Left, 0.0)));
         if points.len() > most {
             return Err(FunctionError::TooManyPoints { count: points.len() });
         }
@@ -121,8 +121,13 @@ impl FractalCurve {
         let [low, high] = part.source;
         let indices = self.piece_at(low, Side::Right)..=self.piece_at(high, Side::Left);
         let from = stack.len();
-        for piece in &self.pieces()[indices] {
-            let ends = [piece.source(low.max(piece.range[0])), piece.source(high.min(piece.range[1]))];
+        for index in indices {
+            let (piece, [first, last]) = (&self.pieces()[index], self.seen(index));
+            let seen = [low.max(first), high.min(last)];
+            if seen[0] > seen[1] {
+                continue;
+            }
+            let ends = seen.map(|t| piece.source(t));
             let (a, d) = (piece.a(), piece.d());
             stack.push(Part {
                 source: if piece.reflected { [ends[1], ends[0]] } else { ends },

@@ -3,21 +3,96 @@
 use glam::{DMat2, DVec2};
 
 use crate::error::FunctionError;
+use crate::fractal::address::LEFT;
+use crate::fractal::curve::Side;
 use crate::fractal::function::FractalFunction;
 use crate::fractal::piece::Piece;
 
-/// How often the values at the ends of the domains are taken anew. They settle like powers of the factors.
+/// The most pieces whose equations are solved at once.
+const MOST_SOLVED: usize = 512;
+
+/// How often the values of more are taken anew. They settle like powers of the factors, where they do.
 const MOST_ROUNDS: usize = 500;
+
+/// The least pivot of equations that have one solution, where 1 is on the diagonal.
+const LEAST_PIVOT: f64 = 1e-10;
+
+/// The greatest value that is kept.
+const MOST_VALUE: f64 = 1e90;
+
+/// Equations for the values at the ends of domains, two a piece, of functions through points with factors c: in each
+/// row the shares of all values, and what they come to.
+///
+/// The address of the end of a domain hangs on a and d alone, those of the frame. Along it the value is a sum of what
+/// each letter i adds: with u the share of its domain that lies before the place, x0 and x1 what the ends of its domain
+/// go to, and p the product of the letters before it, p (x0 + u (x1 - x0) - c_i ((1 - u) F(alpha_i) + u F(beta_i))).
+fn equations(frame: &FractalFunction, points: &[DVec2], c: &[f64]) -> Vec<Vec<f64>> {
+    let pieces = frame.curve().pieces();
+    let [start, end] = frame.curve().interval();
+    let near = 4.0 * f64::EPSILON * start.abs().max(end.abs());
+    let count = 2 * pieces.len();
+    let ends = pieces.iter().flat_map(|piece| piece.domain.into_iter().zip([Side::Right, Side::Left]));
+    let row = |(own, (t, side)): (usize, (f64, Side))| {
+        let mut row = vec![0.0; count + 1];
+        row[own] = 1.0;
+        let after = points.partition_point(|p| p.x < t - near);
+        if let Some(knot) = points.get(after).filter(|p| p.x <= t + near) {
+            row[count] = knot.y;
+            return row;
+        }
+        let mut left = 1.0;
+        for letter in frame.curve().letters(t, side, LEFT).0 {
+            let i = letter.index;
+            let [low, high] = pieces[i].domain;
+            let u = letter.source.plus((-low).into()).value() / (high - low);
+            let (a, b) = (points[i].y, points[i + 1].y);
+            let (first, last) = if pieces[i].reflected { (b, a) } else { (a, b) };
+            row[count] += left * (first + u * (last - first));
+            left *= c[i];
+            row[2 * i] += left * (1.0 - u);
+            row[2 * i + 1] += left * u;
+        }
+        row
+    };
+    ends.enumerate().map(row).collect()
+}
+
+/// The solution by Gauss's elimination, with the greatest of each column as its pivot; none where there is none, or
+/// more than one.
+fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
+    let count = rows.len();
+    for column in 0..count {
+        let size = |row: &usize| rows[*row][column].abs();
+        let pivot = (column..count).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        rows.swap(column, pivot);
+        let (done, rest) = rows.split_at_mut(column + 1);
+        let own = &done[column];
+        if own[column].abs() < LEAST_PIVOT {
+            return None;
+        }
+        for other in rest.iter_mut().filter(|other| other[column] != 0.0) {
+            let times = other[column] / own[column];
+            other[column..].iter_mut().zip(&own[column..]).for_each(|(x, y)| *x -= times * y);
+        }
+    }
+    let mut values = vec![0.0; count];
+    for i in (0..count).rev() {
+        let known: f64 = (i + 1..count).map(|k| rows[i][k] * values[k]).sum();
+        values[i] = (rows[i][count] - known) / rows[i][i];
+    }
+    values.iter().all(|value: &f64| value.abs() <= MOST_VALUE).then_some(values)
+}
 
 impl FractalFunction {
     /// The function through points whose piece i copies what lies over `domains[i]` (Cochran, Hart & Flynn, section
     /// 2.3).
     ///
     /// The ends of a domain need not be points, so that the values there, which the maps hang on, are themselves
-    /// unknown. They are those of the function made with them: it is made over and over until they stay.
+    /// unknown. They are those of the function made with them, which is one linear equation for each.
     ///
     /// # Errors
-    /// [`FunctionError`] where there is no such function, or the values at the ends of the domains do not settle.
+    /// [`FunctionError`] where there is no such function. [`Unsettled`](FunctionError::Unsettled) where the equations
+    /// have no solution or many; of more than 512 pieces also where values that are put in over and over do not settle.
     pub fn through(
         points: &[DVec2],
         c: &[f64],
@@ -54,11 +129,6 @@ impl FractalFunction {
         if let Some(piece) = c.iter().position(|c| c.abs() >= 1.0) {
             return Err(FunctionError::NotContractive { piece, factor: c[piece].abs() });
         }
-        let line = |t: f64| {
-            let i = points.partition_point(|p| p.x <= t).clamp(1, pieces);
-            let (a, b) = (points[i - 1], points[i]);
-            a.y + (b.y - a.y) * (t - a.x) / (b.x - a.x)
-        };
         let high = |y: f64| DVec2::new(y, 0.0);
         let make = |values: &[[f64; 2]]| {
             let map = |i: usize| {
@@ -70,16 +140,24 @@ impl FractalFunction {
             };
             Self::pfif(&(0..pieces).map(map).collect::<Vec<_>>())
         };
-        let mut values: Vec<[f64; 2]> = domains.iter().map(|domain| domain.map(line)).collect();
-        let size = points.iter().map(|p| p.y.abs()).fold(0.0, f64::max);
+        let mut values = vec![[0.0; 2]; pieces];
+        let mut function = make(&values)?;
+        if pieces <= MOST_SOLVED {
+            let solution = solved(equations(&function, points, c)).ok_or(FunctionError::Unsettled)?;
+            return make(&solution.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>());
+        }
+        let size = points.iter().map(|p| p.y.abs()).fold(f64::MIN_POSITIVE, f64::max);
         for _ in 0..MOST_ROUNDS {
-            let function = make(&values)?;
             let next: Vec<[f64; 2]> = domains.iter().map(|domain| domain.map(|t| function.at(t))).collect();
             let change = next.iter().flatten().zip(values.iter().flatten()).map(|(a, b)| (a - b).abs());
             let change = change.fold(0.0, f64::max);
+            if next.iter().flatten().any(|value| value.is_nan() || value.abs() > MOST_VALUE) {
+                break;
+            }
             values = next;
-            if change <= 1e-14 * size.max(f64::MIN_POSITIVE) {
-                return make(&values);
+            function = make(&values)?;
+            if change <= 1e-14 * size {
+                return Ok(function);
             }
         }
         Err(FunctionError::Unsettled)
@@ -101,7 +179,7 @@ mod tests {
             let function =
                 FractalFunction::through(&points(), &[c, -c, c], &[false, true, false], &domains).unwrap();
             for p in points() {
-                assert!((function.at(p.x) - p.y).abs() < 1e-9, "{c}: {p}");
+                assert!((function.precise_at(p.x) - p.y).abs() < 1e-14, "{c}: {p}");
             }
             assert!(function.curve().widest_gap() < 1e-9);
             for (piece, domain) in function.curve().pieces().iter().zip(domains) {

@@ -1,19 +1,13 @@
 //! The best curve so far of those that keep within the bytes.
 
-use glam::DVec2;
-
-use super::pack::kept_grid;
-use super::{Node, Spline};
-use crate::outline::{Guard, Nearest, Outline};
+use super::Spline;
+use crate::outline::{Guard, MAX_PREPARED, Nearest, Outline};
 
 /// Sides of a parabola where curves are measured.
 pub const SIDES: usize = 16;
 
 /// Bytes that every curve takes: the version, the grid, the first node, the law.
 const HEAD_BYTES: usize = 9;
-
-/// How many grids are tried for a polygon.
-const POLYGON_GRIDS: usize = 12;
 
 /// What is asked of curves, and the best so far.
 #[derive(Clone, Debug)]
@@ -25,7 +19,10 @@ pub struct Contest {
 }
 
 impl Contest {
-    pub fn new(outline: Outline, budget: usize) -> Self {
+    /// An outline of more than [`MAX_PREPARED`] points is measured at so many places along it.
+    pub fn new(outline: &Outline, budget: usize) -> Self {
+        let thick = outline.points().len() > MAX_PREPARED;
+        let outline = if thick { outline.resampled(MAX_PREPARED) } else { outline.clone() };
         let guard = Guard::new(&outline);
         Self { outline, budget, guard, best: None }
     }
@@ -39,16 +36,34 @@ impl Contest {
         self.guard.as_ref()
     }
 
-    /// Where nothing was found for an outline that meets itself, curves may cross themselves anywhere.
-    pub fn relax(&mut self) {
-        if self.best.is_none() && self.guard.as_ref().is_some_and(|guard| !guard.is_strict()) {
+    /// Where nothing was found for an outline that meets itself, curves may cross themselves anywhere. Whether that is
+    /// new.
+    pub fn relax(&mut self) -> bool {
+        let relaxes = self.best.is_none() && self.guard.as_ref().is_some_and(|guard| !guard.is_strict());
+        if relaxes {
             self.guard = None;
         }
+        relaxes
+    }
+
+    /// How many bytes a curve may take.
+    pub fn budget(&self) -> usize {
+        self.budget
+    }
+
+    /// Whether a curve takes no more bytes than that.
+    pub fn fits(&self, spline: &Spline) -> bool {
+        spline.clone().cut_where_it_costs().to_bytes().is_ok_and(|bytes| bytes.len() <= self.budget)
     }
 
     /// The best, and it packed.
     pub fn best(&self) -> Option<(&Spline, &[u8])> {
         self.best.as_ref().map(|(_, spline, bytes)| (spline, &bytes[..]))
+    }
+
+    /// Whether no curve can be nearer than the best.
+    pub fn is_exact(&self) -> bool {
+        self.best.as_ref().is_some_and(|best| best.0 == 0.0)
     }
 
     /// How many bits are there for nodes.
@@ -79,39 +94,5 @@ impl Contest {
             }
         }
         Some(many)
-    }
-
-    /// The polygon on the finest grid on which it fits, and on the next two whose widths are powers of two: drawings
-    /// lie on such grids.
-    pub fn show_polygon(&mut self, corners: &[DVec2]) {
-        let diagonal = self.outline.diagonal();
-        let on = |grid: f64| {
-            let mut nodes: Vec<Node> =
-                corners.iter().map(|p| Node { at: (*p / grid).round(), on: true }).collect();
-            nodes.dedup();
-            Spline { nodes, grid }
-        };
-        let (mut fits, mut fails) = (None, None);
-        let mut exponent = 6.0_f64;
-        for _ in 0..POLYGON_GRIDS {
-            let many = self.show(on(kept_grid(diagonal * (-exponent).exp2())));
-            if many.is_some_and(|many| many <= self.budget) {
-                fits = Some(exponent);
-            } else {
-                fails = Some(exponent);
-            }
-            exponent = match (fits, fails) {
-                (Some(fits), Some(fails)) => 0.5 * (fits + fails),
-                (Some(fits), None) => fits + 2.0,
-                (None, Some(fails)) => fails - 1.0,
-                (None, None) => return,
-            };
-        }
-        if let Some(exponent) = fits {
-            let finest = (diagonal * (-exponent).exp2()).log2().floor();
-            for grid in [finest, finest + 1.0, finest + 2.0].map(f64::exp2) {
-                self.show(on(grid));
-            }
-        }
     }
 }

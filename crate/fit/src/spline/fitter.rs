@@ -2,12 +2,12 @@
 
 use glam::DVec2;
 
+use super::Spline;
 use super::beginning::Beginning;
 use super::contest::{Contest, SIDES};
 use super::grids::Grids;
-use super::{MAX_NODES, Spline};
-use crate::fitting::Straight;
-use crate::outline::{Fidelity, MAX_PREPARED, Outline, fidelity};
+use super::polylines::Polylines;
+use crate::outline::{Fidelity, Outline, fidelity};
 
 /// The fewest and the most bytes that a fit is asked to come to.
 pub const LEAST_BYTES: usize = 32;
@@ -18,14 +18,8 @@ pub const MOST_BYTES: usize = 4000;
 const POINTS_A_BYTE: usize = 6;
 const POINTS: (usize, usize) = (400, 6000);
 
-/// How many bits a corner of the plain polylines takes that a fit has to beat.
-const CORNER_BITS: [f64; 3] = [9.0, 11.0, 14.0];
-
-/// Few corners that are tried as well.
-const FEW_CORNERS: [usize; 4] = [3, 4, 6, 9];
-
-/// What part of the work the plain polylines are.
-const PLAIN_SHARE: f64 = 0.2;
+/// What part of the work the plain polylines are, about.
+const PLAIN_SHARE: f64 = 0.3;
 
 /// What descents begin with, in turn.
 const BEGINNINGS: [Beginning; 4] = [Beginning::Best, Beginning::Plain, Beginning::Corners, Beginning::Bends];
@@ -52,8 +46,8 @@ pub struct SplineFit {
 /// What is being done.
 #[derive(Clone, Debug)]
 enum Work {
-    /// Polylines of so many corners, the last first.
-    Plain(Vec<usize>, Option<Box<Straight>>),
+    /// The polylines that a fit has to beat.
+    Plain(Box<Polylines>),
     /// Descents: the ways that are left, the last first.
     Descents(Vec<Beginning>, Option<Box<Grids>>),
     Done,
@@ -66,8 +60,9 @@ pub struct SplineFitter {
     outline: Outline,
     followed: Outline,
     contest: Contest,
+    /// The nearest polyline, where the contest measures at some points of the outline alone.
+    polyline: Option<(Spline, Vec<u8>)>,
     work: Work,
-    counts: usize,
     kicks: usize,
     share: f64,
 }
@@ -77,27 +72,14 @@ impl SplineFitter {
     #[must_use]
     pub fn new(outline: &Outline, bytes: usize) -> Self {
         let budget = bytes.clamp(LEAST_BYTES, MOST_BYTES);
-        let prepared = if outline.points().len() > MAX_PREPARED {
-            outline.resampled(MAX_PREPARED)
-        } else {
-            outline.clone()
-        };
-        let followed = followed(&prepared, budget);
-        let contest = Contest::new(prepared, budget);
-        let bits = contest.free_bits();
-        let most = followed.points().len().min(MAX_NODES);
-        let mut counts: Vec<usize> =
-            FEW_CORNERS.into_iter().chain(CORNER_BITS.map(|each| (bits / each) as usize)).collect();
-        counts.retain(|&count| (3..=most).contains(&count));
-        counts.sort_unstable();
-        counts.dedup();
-        let many = counts.len();
+        let contest = Contest::new(outline, budget);
+        let followed = followed(contest.outline(), budget);
         Self {
             outline: outline.clone(),
             followed,
+            work: Work::Plain(Box::new(Polylines::new(&contest))),
             contest,
-            work: Work::Plain(counts, None),
-            counts: many,
+            polyline: None,
             kicks: ((KICKS / budget as f64) as usize).clamp(KICK_RANGE.0, KICK_RANGE.1),
             share: 0.0,
         }
@@ -119,23 +101,26 @@ impl SplineFitter {
     /// [`fit_within`].
     #[must_use]
     pub fn best(&self) -> Option<SplineFit> {
-        let (spline, bytes) = self.contest.best()?;
-        let near = fidelity(&self.outline, &spline.polyline(SIDES));
-        Some(SplineFit { spline: spline.clone(), bytes: bytes.to_vec(), near })
+        let fit = |(spline, bytes): (&Spline, &[u8])| {
+            let near = fidelity(&self.outline, &spline.polyline(SIDES));
+            SplineFit { spline: spline.clone(), bytes: bytes.to_vec(), near }
+        };
+        let best = fit(self.contest.best()?);
+        // What is nearer at some points of a long outline may be farther at all of them.
+        let nearer = |line: &SplineFit| self.is_done() && line.near.rms < best.near.rms;
+        let line = self.polyline.as_ref().map(|(spline, bytes)| fit((spline, bytes))).filter(nearer);
+        Some(line.unwrap_or(best))
     }
 
     /// Goes one step on: some milliseconds, seldom more than fifty.
     pub fn step(&mut self) {
         match std::mem::replace(&mut self.work, Work::Done) {
-            Work::Plain(counts, straight) => self.plain(counts, straight),
+            Work::Plain(polylines) => self.plain(polylines),
             Work::Descents(ways, grids) => self.descents(ways, grids),
             Work::Done => {}
         }
         let now = match &self.work {
-            Work::Plain(counts, straight) => {
-                let begun = straight.as_ref().map_or(0.0, |straight| straight.share() - 1.0);
-                PLAIN_SHARE * (1.0 - (counts.len() as f64 - begun) / self.counts as f64)
-            }
+            Work::Plain(polylines) => PLAIN_SHARE * polylines.share(),
             Work::Descents(ways, grids) => {
                 let begun = grids.as_ref().map_or(0.0, |grids| grids.share() - 1.0);
                 1.0 - (1.0 - PLAIN_SHARE) * (ways.len() as f64 - begun)
@@ -155,20 +140,13 @@ impl SplineFitter {
         self.best()
     }
 
-    fn plain(&mut self, mut counts: Vec<usize>, straight: Option<Box<Straight>>) {
-        if let Some(mut straight) = straight {
-            if straight.step() {
-                self.work = Work::Plain(counts, Some(straight));
-                return;
-            }
-            self.contest.show_polygon(&straight.kept().knots);
-        }
-        self.work = if let Some(count) = counts.pop() {
-            let straight = Straight::new(&self.followed, count, self.contest.guard().cloned());
-            Work::Plain(counts, Some(Box::new(straight)))
+    fn plain(&mut self, mut polylines: Box<Polylines>) {
+        self.work = if polylines.step(&mut self.contest) {
+            Work::Plain(polylines)
         } else {
-            // So few bytes may not follow the outline to where it meets itself.
-            self.contest.relax();
+            if self.contest.outline().points().len() < self.outline.points().len() {
+                self.polyline = self.contest.best().map(|(spline, bytes)| (spline.clone(), bytes.to_vec()));
+            }
             let mut ways: Vec<Beginning> = (0..self.kicks).rev().map(Beginning::Kick).collect();
             ways.extend(BEGINNINGS.into_iter().rev());
             Work::Descents(ways, None)
@@ -180,7 +158,7 @@ impl SplineFitter {
             && grids.step(&mut self.contest)
         {
             self.work = Work::Descents(ways, Some(grids));
-        } else if let Some(from) = ways.pop() {
+        } else if let Some(from) = ways.pop().filter(|_| !self.contest.is_exact()) {
             let most = if matches!(from, Beginning::Kick(_)) { GRIDS_AFTER_KICK } else { GRIDS };
             let grids = Grids::new(&self.followed, &self.contest, from, most);
             self.work = Work::Descents(ways, Some(Box::new(grids)));
@@ -203,12 +181,12 @@ fn followed(outline: &Outline, bytes: usize) -> Outline {
 /// [`MOST_BYTES`]), packed and all.
 ///
 /// Squares of distances and bits are made small together (rate and distortion, or minimum description length): nodes
-/// are moved on the grid, taken, added, bent. It is not farther from the outline (root mean square) than polylines of
-/// corners chosen by least squares, each on the finest grid on which it fits into as many bytes of the same form. Where
-/// the outline meets itself nowhere, the curve does not either.
+/// are moved on the grid, taken, added, bent. It is not farther from the outline (root mean square) than
+/// [`polyline_within`](crate::polyline_within), with which it begins. Where the outline meets itself nowhere, the curve
+/// does not either.
 ///
-/// An outline of more than [`MAX_PREPARED`] points is followed at so many places along it, and measured at all of its
-/// points.
+/// An outline of more than [`MAX_PREPARED`](crate::MAX_PREPARED) points is followed at so many places along it, and
+/// measured at all of its points.
 ///
 /// None where nothing was found: the outline lies so far from the origin that places take too many bytes, or is so thin
 /// that on a grid of some hundred steps it would fall together.

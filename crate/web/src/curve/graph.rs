@@ -172,14 +172,17 @@ pub fn sample_graph(
     Ok(Float64Array::from(&flat[..]))
 }
 
-/// The value at t, right to the last digits; beyond the ends that of the nearer end, and where pieces do not meet the
-/// limit from the right.
+/// The value at t; beyond the ends that of the nearer end, and where pieces do not meet the limit from the right.
+///
+/// It is right to the last digits of the greatest height that the graph may have, for factors c up to 0.998. Maps are
+/// taken as the numbers that they are, and t as well, but where t comes to a knot or to a copy of one but for rounding:
+/// then it is that knot.
 #[wasm_bindgen(js_name = graphAt)]
 pub fn graph_at(
     #[wasm_bindgen(unchecked_param_type = "Graph")] graph: JsValue,
     t: f64,
 ) -> Result<f64, JsValue> {
-    Ok(read_graph(&graph)?.at(t))
+    Ok(read_graph(&graph)?.precise_at(t))
 }
 
 /// What can be said of a graph.

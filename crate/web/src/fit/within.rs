@@ -125,7 +125,8 @@ pub fn measure_spline(points: &[f64], word: &str) -> Result<JsValue, JsValue> {
 
 /// Another way to spend so many bytes on an outline: `{ points, rms }`; undefined where nothing fits into them.
 ///
-/// `"squares"`: a polyline whose corners were moved by least squares, in the form of [`fit_within`], all counted;
+/// `"squares"`: the nearest polyline that is found, its corners those of the outline or moved by least squares, in the
+/// form of [`fit_within`], all counted; it crosses itself nowhere but where the outline does, and a fit begins with it;
 /// `"fourier"`: the lowest frequencies; `"bezier"`: cubic segments. The bits of the latter two are what an ideal coder
 /// of fitting laws comes to, and the width of their grid is not counted. Each is on the grid by which it is nearest.
 #[wasm_bindgen(

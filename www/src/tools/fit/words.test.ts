@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Figures } from "#workers/fit/curve";
-import { compareBytes, compareWords, percent, roughWords, signed } from "./words";
+import { compareBytes, compareWords, roughWords, signed } from "./words";
 
 const figures = (rms: number): Figures => ({
   rms,
@@ -38,12 +38,6 @@ test("so is that of bytes", () => {
 });
 
 test("figures have digits that say something, and none lies", () => {
-  expect([percent(0.0412), percent(0.204), percent(12.345), percent(Number.NaN)]).toEqual([
-    "0.0412%",
-    "0.204%",
-    "12.35%",
-    "–",
-  ]);
   expect([signed(0.0123), signed(-0.0123), signed(0.0001)]).toEqual(["+0.012", "−0.012", "0.000"]);
   const rough = { ...figures(1), fitSlope: 1.195, lengthRatio: 1.01 };
   expect(roughWords(rough)).toBe("As rough as the outline.");

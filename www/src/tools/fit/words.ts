@@ -1,6 +1,7 @@
 /** What the tool says. */
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { bytesOf, fitDocument } from "#document/fit";
+import { nearestWords, percent } from "#format/nearness";
 import { fixed } from "#format/numbers";
 import type { ByteMethod, ByteRival, Figures, Method, Rival } from "#workers/fit/curve";
 import { cutting } from "./stage/layers";
@@ -10,12 +11,6 @@ import { numbersOf, prepared } from "./work/outline";
 import { cancelled, problem, running } from "./work/progress";
 import { reading } from "./work/source";
 import { shownWithin, withinDone } from "./work/within";
-
-/** In percent of the diagonal, with as many digits as say something. */
-export function percent(x: number): string {
-  if (!Number.isFinite(x)) return "–";
-  return `${fixed(x, x < 0.1 ? 4 : x < 1 ? 3 : 2)}%`;
-}
 
 export function signed(x: number): string {
   const text = fixed(x, 3);
@@ -98,18 +93,6 @@ export function compareBytes(rms: number, rivals: readonly ByteRival[]): string 
     rms,
     rivals.map(({ method, rms }) => ({ name: BYTE_METHODS[method].name, rms })),
   );
-}
-
-function nearestWords(own: number, others: readonly { name: string; rms: number }[]): string {
-  const [nearest] = [...others].sort((a, b) => a.rms - b.rms);
-  if (!nearest) return "";
-  const ratio = nearest.rms / own;
-  const plain = nearest.name.charAt(0).toLowerCase() + nearest.name.slice(1);
-  if (ratio >= 1.05) {
-    return `${fixed(ratio, 1)} times as near as the best of the others, ${plain}.`;
-  }
-  if (ratio > 0.95) return `About as near as the best of the others, ${plain}.`;
-  return `Here ${plain} is nearer: ${percent(nearest.rms)}.`;
 }
 
 /** How rough a fit is beside its outline: in words only where dimension and length say the same. */

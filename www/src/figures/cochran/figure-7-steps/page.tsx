@@ -5,6 +5,7 @@ import { boxOfPoints } from "#geometry/point-box";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { Problem } from "#ui/panel/Problem";
+import { numbersPerMap } from "#workers/fit/map-numbers";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
@@ -12,7 +13,7 @@ import { fitHref } from "../../kit/frame/studio-link";
 import { Table } from "../../kit/frame/table";
 import { flag, whole } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
-import { FEATURES, MAPS, NUMBERS_A_MAP, useCollages } from "../figure-7/leaf-fits";
+import { FEATURES, MAPS, useCollages } from "../figure-7/leaf-fits";
 import { CollagePanel } from "../figure-7/leaf-panels";
 import { OutlineView } from "../figure-7/outline-view";
 import { BitmapView } from "./bitmap-view";
@@ -62,7 +63,7 @@ export function Page(heading: Heading) {
         </p>
       }
       parameters={[
-        { name: "Leaf (reconstructed)", value: `maple-like, grown by program, seed ${seed}` },
+        { name: "Leaf (reconstructed)", value: `a sugar maple’s, grown by program, seed ${seed}` },
         { name: "Bitmap (reconstructed)", value: pixels },
         {
           name: "Pixels on the boundary",
@@ -72,13 +73,13 @@ export function Page(heading: Heading) {
         { name: "Feature points", value: `${FEATURES}, as printed, by polyline splitting` },
         { name: "Maps", value: "52 and 29, as printed: non-separable RFIF (eq 9)" },
         { name: "Ranges (reconstructed)", value: "5 intervals each with 52 maps, 9 with 29" },
-        { name: "A map costs", value: `${NUMBERS_A_MAP} numbers` },
+        { name: "A map costs", value: `${numbersPerMap(false)} numbers` },
       ]}
       captions={[
         "4.3 Approximation of a Leaf Boundary",
         "Figure 7: Maple leaf (top) and FIF approximations with 52 control vertices (left) and 29 control vertices (right).",
       ]}
-      reconstructed={`The paper’s leaf is not printed: this one is grown, and drawn so large that its boundary has about as many pixels. ${count(PRINTED)}, ${FEATURES}, 52 and 29 are printed; the size of the bitmap and the lengths of ranges and domains are not.`}
+      reconstructed={`The numbers of the paper’s leaf are not printed: this is another maple leaf, grown by program, and drawn so large that its boundary has about as many pixels. ${count(PRINTED)}, ${FEATURES}, 52 and 29 are printed; the size of the bitmap and the lengths of ranges and domains are not.`}
       differs="The outline is traced between pixels, where the paper counts the pixels themselves."
       studio={{
         href: fitHref({ mode: "outline", model: "collage", numbers: 520 }),
@@ -146,6 +147,7 @@ export function Page(heading: Heading) {
               leaf={leaf?.points ?? null}
               box={box}
               tied={tied}
+              separable={false}
             />
           </li>
         ))}
@@ -156,7 +158,7 @@ export function Page(heading: Heading) {
                 ["Boundary pixels", steps ? 2 * steps.count : null],
                 ["Traced corners", steps ? 2 * steps.traced : null],
                 ["Feature points", 2 * FEATURES],
-                ...MAPS.map((maps): [string, number] => [`${maps} maps`, NUMBERS_A_MAP * maps]),
+                ...MAPS.map((maps): [string, number] => [`${maps} maps`, numbersPerMap(false) * maps]),
               ].map(([name, numbers]) => (
                 <tr key={name}>
                   <th scope="row">{name}</th>

@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
-import { FEATURES, type Leaf } from "../figure-7/leaf-fits";
+import { FEATURES, KIND, type Leaf } from "../figure-7/leaf-fits";
 import { type Bitmap, leafBitmap } from "./boundary";
 
 export interface Steps {
@@ -34,7 +34,7 @@ export function useTracedLeaf(seed: number): { steps: Steps | null; problem: str
 }
 
 async function stepsOf(seed: number, signal: AbortSignal): Promise<Steps> {
-  const grown = await fitTask("grow", { kind: "maple", seed }, { signal });
+  const grown = await fitTask("grow", { kind: KIND, seed }, { signal });
   const { bitmap, count } = leafBitmap(grown);
   const opened = await fitTask("openFile", { file: await pngOf(bitmap), name: "leaf.png" }, { signal });
   if (opened.kind !== "picture") throw new Error("The bitmap is no picture.");

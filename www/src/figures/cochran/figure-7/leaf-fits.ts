@@ -2,19 +2,19 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
-import type { Collage, Measured, Reached, Rival } from "#workers/fit/curve";
+import type { Collage, Measured, Method, Reached, Rival } from "#workers/fit/curve";
 
 /** As the paper has it. */
 export const FEATURES = 261;
 export const MAPS = [52, 29] as const;
 export type Maps = (typeof MAPS)[number];
-/** What a map of eq 9 costs. */
-export const NUMBERS_A_MAP = 10;
-
 export interface Leaf {
   points: Float64Array<ArrayBuffer>;
   features: Float64Array<ArrayBuffer>;
 }
+
+/** The kind of leaf that stands for the paper's: "the Maple leaf shown in Figure 7". */
+export const KIND = "sugar-maple";
 
 /** A leaf of our own, with its feature points; null until it has grown. */
 export function useLeaf(seed: number): { leaf: Leaf | null; problem: string | null } {
@@ -27,7 +27,7 @@ export function useLeaf(seed: number): { leaf: Leaf | null; problem: string | nu
     const stop = new AbortController();
     const grow = async () => {
       const { signal } = stop;
-      const grown = await fitTask("grow", { kind: "maple", seed }, { signal });
+      const grown = await fitTask("grow", { kind: KIND, seed }, { signal });
       const { points } = await fitTask("prepare", { points: grown, smoothing: 0 }, { signal });
       const features = await fitTask("features", { points, count: FEATURES }, { signal });
       setState({ seed, leaf: { points, features }, problem: null });
@@ -42,7 +42,9 @@ export function useLeaf(seed: number): { leaf: Leaf | null; problem: string | nu
 
 /** The paper's fits of a leaf, with 52 and with 29 maps; both null until they are there. */
 export function useCollages(leaf: Leaf | null, tied: boolean, separable: boolean) {
-  const [fits, setFits] = useState<{ leaf: Leaf; fits: Collage[] } | null>(null);
+  const [fits, setFits] = useState<{ leaf: Leaf; tied: boolean; separable: boolean; fits: Collage[] } | null>(
+    null,
+  );
   useEffect(() => {
     if (!leaf) return;
     const stop = new AbortController();
@@ -53,12 +55,13 @@ export function useCollages(leaf: Leaf | null, tied: boolean, separable: boolean
         { signal: stop.signal },
       );
     Promise.all(MAPS.map(one)).then(
-      (done) => setFits({ leaf, fits: done }),
+      (done) => setFits({ leaf, tied, separable, fits: done }),
       () => {},
     );
     return () => stop.abort();
   }, [leaf, tied, separable]);
-  return fits && fits.leaf === leaf ? fits.fits : null;
+  const current = fits?.leaf === leaf && fits?.tied === tied && fits.separable === separable;
+  return current ? fits.fits : null;
 }
 
 export interface CurveState {
@@ -72,6 +75,16 @@ export interface CurveState {
   stop: () => void;
   again: () => void;
 }
+
+/** Plain polylines that the curve is compared with. */
+const POLYLINES: readonly { method: Method; name: string }[] = [
+  { method: "split", name: "Polyline, split" },
+  { method: "squares", name: "Polyline, best corners" },
+];
+
+/** The polylines by their names, each with its fit once that is there. */
+export const polylinesOf = (rivals: readonly Rival[]) =>
+  POLYLINES.map(({ method, name }) => ({ name, fit: rivals.find((rival) => rival.method === method) }));
 
 /** Frond's own fit of a leaf with so many numbers, which improves while it is watched. */
 export function useCurveFit(leaf: Leaf | null, numbers: number): CurveState {
@@ -109,7 +122,7 @@ export function useCurveFit(leaf: Leaf | null, numbers: number): CurveState {
     const compared = new AbortController();
     fitTask(
       "rivals",
-      { points, numbers, methods: ["split", "squares"] },
+      { points, numbers, methods: POLYLINES.map(({ method }) => method) },
       { signal: compared.signal, onProgress: (rival) => setRivals((all) => [...all, rival]) },
     ).catch(() => {});
     return () => {

@@ -3,11 +3,11 @@ import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { Box } from "#geometry/boxes";
 import type { Collage } from "#workers/fit/curve";
+import { numbersPerMap } from "#workers/fit/map-numbers";
 import { SliderControl } from "../../kit/frame/control";
 import { Panel } from "../../kit/frame/panel";
 import { whole } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
-import { NUMBERS_A_MAP } from "./leaf-fits";
 import { type OutlineLine, OutlineView } from "./outline-view";
 
 /** The leaf, thin. */
@@ -22,10 +22,11 @@ interface CollagePanelProps extends PanelProps {
   maps: number;
   collage: Collage | null;
   tied: boolean;
+  separable: boolean;
 }
 
 /** The paper's fit: the leaf thin behind it, its gaps marked. */
-export function CollagePanel({ maps, collage, leaf, box, tied }: CollagePanelProps) {
+export function CollagePanel({ maps, collage, leaf, box, tied, separable }: CollagePanelProps) {
   const lines = useMemo((): OutlineLine[] => {
     if (!leaf) return [];
     if (!collage) return [{ points: leaf, ...OUTLINE }];
@@ -44,7 +45,7 @@ export function CollagePanel({ maps, collage, leaf, box, tied }: CollagePanelPro
   return (
     <Panel
       name={`${maps} maps`}
-      words={`${NUMBERS_A_MAP * maps} numbers`}
+      words={`${numbersPerMap(separable) * maps} numbers`}
       caption={<span class="number">{gapWords}</span>}
     >
       <OutlineView

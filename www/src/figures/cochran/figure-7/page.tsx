@@ -1,10 +1,12 @@
 import { useMemo } from "preact/hooks";
+import { nearestWords } from "#format/nearness";
 import { fixed } from "#format/numbers";
 import { UNIT } from "#geometry/boxes";
 import { boxOfPoints } from "#geometry/point-box";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import type { Collage, Figures } from "#workers/fit/curve";
+import { numbersPerMap } from "#workers/fit/map-numbers";
 import { Choice } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
@@ -19,7 +21,7 @@ import {
   FEATURES,
   MAPS,
   type Maps,
-  NUMBERS_A_MAP,
+  polylinesOf,
   useCollages,
   useCurveFit,
   useLeaf,
@@ -45,7 +47,8 @@ export function Page(heading: Heading) {
   const [tied, setTied] = useKept("tied", ...STATE.tied);
   const [separable, setSeparable] = useKept("apart", ...STATE.apart);
   const [maps, setMaps] = useKept("maps", ...STATE.maps);
-  const numbers = NUMBERS_A_MAP * maps;
+  const perMap = numbersPerMap(separable);
+  const numbers = perMap * maps;
   const { leaf, problem } = useLeaf(seed);
   const collages = useCollages(leaf, tied, separable);
   const fit = useCurveFit(leaf, numbers);
@@ -65,16 +68,16 @@ export function Page(heading: Heading) {
       {...heading}
       lead={
         <p>
-          A leaf with teeth on its teeth, {FEATURES} feature points on its margin, and two ways to write it
-          down with few numbers. The paper replaces each stretch of the margin by the best copy of a longer
-          stretch. Look closely at its fits: the copies do not meet, and the red ticks mark the gaps. Tie
-          their ends, and the gaps close while the fit gets worse. Below is Frond’s own curve of as many
-          numbers: its edges run from knot to knot, so it cannot come apart.
+          A maple leaf, {FEATURES} feature points on its margin, and two ways to write it down with few
+          numbers. The paper replaces each stretch of the margin by the best copy of a longer stretch. Look
+          closely at its fits: the copies do not meet, and the red ticks mark the gaps. Tie their ends, and
+          the gaps close while the fit gets worse. Below is Frond’s own curve of as many numbers: its edges
+          run from knot to knot, so it cannot come apart.
         </p>
       }
       found={<Found maps={maps} collages={collages} fit={fit} tied={tied} />}
       parameters={[
-        { name: "Leaf", value: `maple-like, grown by program, seed ${seed}` },
+        { name: "Leaf (reconstructed)", value: `a sugar maple’s, grown by program, seed ${seed}` },
         { name: "Points of its margin", value: leaf ? String(leaf.points.length / 2) : "…" },
         { name: "Feature points", value: `${FEATURES}, by polyline splitting` },
         {
@@ -84,13 +87,13 @@ export function Page(heading: Heading) {
         },
         { name: "Domains", value: "twice as long, from where a range begins: an RFIF" },
         { name: "Bound of the factors", value: "0.95, by constrained least squares" },
-        { name: "A map costs", value: `${NUMBERS_A_MAP} numbers${separable ? ", 2 of them zero" : ""}` },
+        { name: "A map costs", value: `${perMap} numbers (eq ${separable ? 8 : 9})` },
         { name: "A knot costs", value: "2 numbers, a copied edge 2 more" },
       ]}
       captions={[
         "Figure 7: Maple leaf (top) and FIF approximations with 52 control vertices (left) and 29 control vertices (right).",
       ]}
-      reconstructed="The paper’s leaf and its maps are not printed. This leaf is grown by program, with as many feature points; the lengths of ranges and domains are reconstructed from the text of section 3.2."
+      reconstructed="The paper prints its leaf as a picture, without numbers, and does not print its maps. This is another maple leaf, grown by program, with as many feature points; the lengths of ranges and domains are reconstructed from the text of section 3.2."
       differs={
         <>
           The paper does not say that its unconstrained fit leaves gaps, nor what it costs: 52 maps of 10
@@ -139,6 +142,7 @@ export function Page(heading: Heading) {
             leaf={leaf?.points ?? null}
             box={box}
             tied={tied}
+            separable={separable}
           />
         ))}
       </div>
@@ -147,7 +151,7 @@ export function Page(heading: Heading) {
           label="Compare at"
           options={MAPS.map((count) => ({
             value: String(count),
-            label: `${NUMBERS_A_MAP * count} numbers`,
+            label: `${perMap * count} numbers`,
           }))}
           value={String(maps)}
           onChange={(value) => setMaps(value === "52" ? 52 : 29)}
@@ -228,9 +232,6 @@ interface ErrorsProps {
 
 /** How far each is from the leaf, in percent of the diagonal. */
 function Errors({ maps, collage, fit }: ErrorsProps) {
-  const rival = (method: string) => fit.rivals.find((one) => one.method === method);
-  const split = rival("split");
-  const squares = rival("squares");
   const done = fit.done;
   const rows: readonly (RowOf & { key: string })[] = [
     {
@@ -240,14 +241,13 @@ function Errors({ maps, collage, fit }: ErrorsProps) {
       gap: collage?.widest,
       figures: collage?.figures,
     },
-    { key: "split", name: "Plain polyline", numbers: split?.numbers, gap: 0, figures: split?.figures },
-    {
-      key: "squares",
-      name: "Polyline, least squares",
-      numbers: squares?.numbers,
+    ...polylinesOf(fit.rivals).map(({ name, fit: line }) => ({
+      key: name,
+      name,
+      numbers: line?.numbers,
       gap: 0,
-      figures: squares?.figures,
-    },
+      figures: line?.figures,
+    })),
     {
       key: "closed",
       name: "Frond’s closed curve",
@@ -300,17 +300,21 @@ interface FoundProps {
 
 function Found({ maps, collages, fit, tied }: FoundProps) {
   const collage = collages?.[MAPS.indexOf(maps)];
-  const split = fit.rivals.find((one) => one.method === "split");
-  if (!collage || !split || !fit.done) return <p>Fitting …</p>;
-  const times = (rms: number) => fixed(rms / split.figures.rms, 1);
+  const lines = polylinesOf(fit.rivals).flatMap(({ name, fit: line }) =>
+    line ? { name, rms: line.figures.rms } : [],
+  );
+  if (!collage || lines.length < 2 || !fit.done) return <p>Fitting …</p>;
+  const nearest = Math.min(...lines.map(({ rms }) => rms));
+  const others = [...lines, { name: "The paper’s fit", rms: collage.figures.rms }];
+  const beside = nearestWords(fit.done.figures.rms, others);
   return (
     <p>
-      With {NUMBERS_A_MAP * maps} numbers the paper’s fit{tied ? ", its ends tied," : ""} is{" "}
-      {times(collage.figures.rms)} times as far from this leaf as a plain polyline of as many; Frond’s curve
-      is {fixed(split.figures.rms / fit.done.figures.rms, 1)} times nearer than that polyline. Roughness is
-      the box dimension between 1/64 and 1/256 of the diagonal: {fixed(split.figures.outlineSlope, 3)} for the
-      leaf itself, {fixed(collage.figures.fitSlope, 3)} for the paper’s fit,{" "}
-      {fixed(fit.done.figures.fitSlope, 3)} for Frond’s curve.
+      With {collage.numbers} numbers the paper’s fit{tied ? ", its ends tied," : ""} is{" "}
+      {fixed(collage.figures.rms / nearest, 1)} times as far from this leaf as the nearer of two polylines of
+      as many. Frond’s curve: {beside.charAt(0).toLowerCase() + beside.slice(1)} Roughness is the box
+      dimension between 1/64 and 1/256 of the diagonal: {fixed(collage.figures.outlineSlope, 3)} for the leaf
+      itself, {fixed(collage.figures.fitSlope, 3)} for the paper’s fit, {fixed(fit.done.figures.fitSlope, 3)}{" "}
+      for Frond’s curve.
     </p>
   );
 }

@@ -1,6 +1,6 @@
 import type { KeptFit } from "#document/kept/fits";
+import { percent } from "#format/nearness";
 import type { Fit } from "#wasm/api";
-import { percent } from "../words";
 import { numbersOf } from "../work/outline";
 
 /** How near a fit is and what it takes. */

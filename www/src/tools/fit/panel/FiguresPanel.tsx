@@ -1,12 +1,13 @@
 import "#ui/panel/progress.css";
 import { computed } from "@preact/signals";
 import { fitDocument } from "#document/fit";
+import { percent } from "#format/nearness";
 import { Button } from "#ui/controls/Button";
 import type { Figures, Rival } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
 import { cutting } from "../stage/layers";
-import { compareWords, METHODS, percent, roughWords, signed } from "../words";
-import { cancel, collage, fitAgain, rivals, shownFigures, shownFit } from "../work/fitting";
+import { compareWords, METHODS, roughWords, signed } from "../words";
+import { cancel, collage, fitAgain, rivals, rivalsWhole, shownFigures, shownFit } from "../work/fitting";
 import { numbersOf, prepared } from "../work/outline";
 import { cancelled, problem, running } from "../work/progress";
 import { source } from "../work/source";
@@ -120,7 +121,7 @@ function Chart({ own, all }: { own: Figures; all: readonly Rival[] }) {
           own: false,
         })),
       ]}
-      words={compareWords(own, all)}
+      words={rivalsWhole.value ? compareWords(own, all) : "More are being fitted …"}
     />
   );
 }

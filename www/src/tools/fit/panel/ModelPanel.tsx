@@ -1,4 +1,5 @@
 import { changeFit, fitDocument } from "#document/fit";
+import { percent } from "#format/nearness";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
@@ -7,7 +8,6 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { CollageOptions } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
 import { cutting } from "../stage/layers";
-import { percent } from "../words";
 import { collage, collageOptions } from "../work/fitting";
 import { prepared } from "../work/outline";
 import { Within } from "./WithinPanel";

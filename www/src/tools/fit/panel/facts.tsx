@@ -1,9 +1,10 @@
 /** What is told of a fit, in rows and bars. */
 
+import { percent } from "#format/nearness";
 import { fixed } from "#format/numbers";
 import type { Figures } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
-import { percent, signed } from "../words";
+import { signed } from "../words";
 
 export function Fact({ name, children }: { name: string; children: string | number }) {
   return (
@@ -77,7 +78,7 @@ export function Bars({ caption, rows, words }: { caption: string; rows: readonly
                 <span
                   class={fitCss["bar"]}
                   aria-hidden="true"
-                  style={{ "--share": String(row.rms / most) }}
+                  style={{ "--share": String(most > 0 ? row.rms / most : 0) }}
                 />
               </th>
               <td>{percent(row.rms)}</td>

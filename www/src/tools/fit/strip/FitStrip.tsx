@@ -4,6 +4,7 @@ import { endGesture } from "#document/scene";
 import { NumberField } from "#ui/controls/NumberField";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
+import { numbersPerMap } from "#workers/fit/map-numbers";
 import fitCss from "../fit.module.css";
 import {
   bytesAt,
@@ -123,9 +124,8 @@ function Numbers() {
 const LEAST_MAPS = 2;
 const MOST_MAPS = 200;
 
-/** The paper's fit has ten numbers a map. */
 function Maps() {
-  const { maps } = collageOptions.value;
+  const { maps, separable } = collageOptions.value;
   const change = (next: number) => {
     const now = collageOptions.peek();
     const features = Math.max(now.features, 2 * next);
@@ -147,7 +147,7 @@ function Maps() {
         min={Math.log2(LEAST_MAPS)}
         max={Math.log2(MOST_MAPS)}
         step={0.1}
-        valueText={`${maps} maps, ${10 * maps} numbers`}
+        valueText={`${maps} maps, ${numbersPerMap(separable) * maps} numbers`}
         onChange={(place) => change(Math.round(2 ** place))}
       />
     </div>

@@ -35,7 +35,9 @@ export interface Fitted extends Best {
 
 export const best = signal<Best | null>(null);
 export const fitted = signal<Fitted | null>(null);
-const compared = signal<{ of: Prepared; numbers: number; list: readonly Rival[] } | null>(null);
+const compared = signal<{ of: Prepared; numbers: number; list: readonly Rival[]; whole: boolean } | null>(
+  null,
+);
 export const collage = signal<{ of: Prepared; options: CollageOptions; fit: Collage } | null>(null);
 /** Milliseconds from the request to the first fit and to the last: for the measurements. */
 export const clock = signal<{ first: number; whole: number }>({ first: 0, whole: 0 });
@@ -350,13 +352,13 @@ const BESIDE = 1;
 
 async function compare(of: Prepared, numbers: number, signal: AbortSignal): Promise<void> {
   const known = comparisons.get(of)?.get(numbers);
-  compared.value = { of, numbers, list: known ?? [] };
+  compared.value = { of, numbers, list: known ?? [], whole: known !== undefined };
   if (known) return;
   let list: readonly Rival[] = [];
   const onProgress = (rival: Rival) => {
     if (signal.aborted) return;
     list = [...list, rival];
-    compared.value = { of, numbers, list };
+    compared.value = { of, numbers, list, whole: false };
   };
   try {
     if (numbers > SOON) {
@@ -369,7 +371,9 @@ async function compare(of: Prepared, numbers: number, signal: AbortSignal): Prom
         if (signal.aborted) return;
       }
     }
+    if (signal.aborted) return;
     put(comparisons, of, numbers, list);
+    compared.value = { of, numbers, list, whole: true };
   } catch (wrong) {
     if (!signal.aborted && !isStopped(wrong)) notify({ kind: "error", text: wordsOf(wrong) });
   }
@@ -418,6 +422,9 @@ export const rivals: ReadonlySignal<readonly Rival[]> = computed(() => {
   const now = compared.value;
   return now && now.of === prepared.value && now.numbers === fitted.value?.numbers ? now.list : [];
 });
+
+/** Whether no other is still being fitted: only then it is known which is the nearest. */
+export const rivalsWhole: ReadonlySignal<boolean> = computed(() => compared.value?.whole ?? false);
 
 export const shownFigures: ReadonlySignal<Fitted | null> = computed(() => {
   const now = fitted.value;

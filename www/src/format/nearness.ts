@@ -1,0 +1,24 @@
+/** How near fits are, in words. */
+import { fixed } from "./numbers";
+
+/** In percent of the diagonal, with as many digits as say something. */
+export function percent(x: number): string {
+  if (!Number.isFinite(x)) return "–";
+  return `${fixed(x, x < 0.1 ? 4 : x < 1 ? 3 : 2)}%`;
+}
+
+/** Errors below this are rounding: they are written as 0. Their ratio says nothing. */
+const ROUNDING = 5e-5;
+
+/** A fit beside the nearest of the others, which it names. Errors are in percent of the diagonal. */
+export function nearestWords(own: number, others: readonly { name: string; rms: number }[]): string {
+  const [nearest] = [...others].sort((a, b) => a.rms - b.rms);
+  if (!nearest) return "";
+  const plain = nearest.name.charAt(0).toLowerCase() + nearest.name.slice(1);
+  if (nearest.rms < ROUNDING && own < ROUNDING) return `Exact, as is the best of the others, ${plain}.`;
+  if (own < ROUNDING) return `Exact; the best of the others, ${plain}, is ${percent(nearest.rms)} off.`;
+  const ratio = nearest.rms / own;
+  if (ratio >= 1.05) return `${fixed(ratio, 1)} times as near as the best of the others, ${plain}.`;
+  if (ratio > 0.95) return `About as near as the best of the others, ${plain}.`;
+  return `Here ${plain} is nearer: ${percent(nearest.rms)}.`;
+}
