@@ -234,7 +234,7 @@ export interface PathOptions extends MorphOptions {
 export interface CertifyOptions extends MorphOptions {
   /** The relative gap that is to be excluded. Default 1/600. */
   within?: number;
-  /** The stretch of the path, by length. Default 0 to 1. */
+  /** The stretch of the path, by length; one moment where t1 is t0. Default 0 to 1. What is no stretch of it is refused. */
   t0?: number;
   t1?: number;
   /** The most boxes to look at; fewer where each takes long. */
