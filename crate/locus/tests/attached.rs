@@ -1,7 +1,7 @@
 //! Systems whose truth is known by how they are made: maps of all degenerate kinds, attached to shapes in one piece.
 //!
-//! **Lemma.** Let A be the attractor of some maps, connected, with 0 in it, and add maps `x -> M x + q` with q in A. The
-//! attractor A' of all of them is connected.
+//! **Lemma.** Let A be the attractor of some maps, connected, with 0 in it, and add maps `x -> M x + q` with q in A.
+//! The attractor A' of all of them is connected.
 //!
 //! **Proof.** A lies in A', so that the pieces `w_i(A')` of the former maps hang together as those of A do. The new
 //! piece and A both have the point q, the image of 0, and A lies in the union of the former pieces. So the graph of the

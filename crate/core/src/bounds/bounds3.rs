@@ -73,8 +73,9 @@ impl Bounds3 {
         if unit <= 1e-14 * crate::linear::svd3::norm3(to) * extent {
             return Self { min: origin, max: origin, centre: origin, radius: 0.0, diameter: 0.0 };
         }
-        let round =
-            |map: &Affine3| Affine3::new(to * map.linear * from, to * (map.apply(origin) - origin) / unit);
+        let round = |map: &Affine3| {
+            Affine3::new(to * map.linear * from, to * (map.apply(origin) - origin) * (1.0 / unit))
+        };
         let maps: Vec<Affine3> = ifs.maps().iter().map(round).collect();
         let mut table = SupportTable3::default();
         table.set(&maps, contraction.factor, effort.cells, effort.support);

@@ -31,8 +31,8 @@ pub(crate) struct Widest {
 }
 
 impl Widest {
-    /// The same as an answer about a shape of at most this diameter; `None` where no shape has such a gap. No two points
-    /// are farther apart than the diameter, whatever rounding may add.
+    /// The same as an answer about a shape of at most this diameter; `None` where no shape has such a gap. No two
+    /// points are farther apart than the diameter, whatever rounding may add.
     pub fn gap(self, diameter: f64) -> Option<Gap> {
         let upper = if self.upper.is_finite() { self.upper.min(diameter) } else { self.upper };
         Some(Gap { lower: self.lower, upper }).filter(|gap| gap.is_possible(diameter))
