@@ -12,9 +12,19 @@ struct Map {
 }
 
 /// A point of the plane: two whole numbers over a third.
-struct Point {
+pub(crate) struct Point {
     over: [BigInt; 2],
     under: BigInt,
+}
+
+impl Point {
+    /// The step from here to another point, but for a positive factor.
+    pub fn step_to(&self, other: &Self) -> [BigInt; 2] {
+        let step = |k: usize| &other.over[k] * &self.under - &self.over[k] * &other.under;
+        // Both are positive for words that contract; nothing hangs on that here.
+        let turned = (self.under < BigInt::ZERO) != (other.under < BigInt::ZERO);
+        [0, 1].map(|k| if turned { -step(k) } else { step(k) })
+    }
 }
 
 impl Scene {
@@ -43,7 +53,16 @@ impl Scene {
         whole
     }
 
-    fn point(&self, address: &Address) -> Point {
+    /// The image of a point under a map.
+    pub fn image(&self, letter: usize, at: &Point) -> Point {
+        let [a, b, c, d, e, f] = &self.maps.rows[letter];
+        let ([x, y], under) = (&at.over, &at.under);
+        let over = [a * x + b * y + e * under, c * x + d * y + f * under];
+        Point { over, under: under << self.maps.bits }
+    }
+
+    /// The point of an address. Letters are known to be maps, and those that repeat to contract.
+    pub fn point(&self, address: &Address) -> Point {
         // From (1 - M) x = t by Cramer's rule: no factor of a power of two is left over.
         let Map { row: [a, b, c, d, e, f], bits } = self.word(&address.repeat);
         let one = BigInt::from(1) << bits;

@@ -58,6 +58,7 @@ pub fn check_connected(certificate: &ConnectedCertificate) -> Result<CheckedConn
         return Err(Refused::Squares);
     }
     let mut reached = Reached::new(maps.len());
+    let mut on_line = false;
     for (k, link) in links.iter().enumerate() {
         let (pair, why) = match link {
             Link::Point { addresses } => (
@@ -72,6 +73,12 @@ pub fn check_connected(certificate: &ConnectedCertificate) -> Result<CheckedConn
                 let pair = pair.map(usize::from);
                 let meets = differences.as_ref().is_some_and(|all| all.meet(&scene, pair, steps));
                 (pair, (!meets).then_some("its step is not shown to be a difference of two points"))
+            }
+            Link::Between { addresses } => {
+                on_line = on_line || scene.stays_on_line(addresses);
+                let [p, _, r] = addresses.each_ref().map(first);
+                let holds = on_line && scene.is_between(addresses);
+                ([p, r], (!holds).then_some("its pieces are not shown to overlap on a line that holds all"))
             }
             Link::Crossing { words, far } => {
                 let across =
@@ -136,6 +143,13 @@ fn check_form(certificate: &ConnectedCertificate) -> Result<usize, Refused> {
                 count(head.len() + repeat.len());
                 is_known(head) && is_word(repeat)
             }),
+            Link::Between { addresses } => {
+                let are_known = addresses.iter().all(|Address { head, repeat }| {
+                    count(head.len() + repeat.len());
+                    is_known(head) && is_word(repeat)
+                });
+                are_known && first(&addresses[0]) == first(&addresses[1])
+            }
             Link::Area { pair } => pair[0] != pair[1] && is_known(pair),
             Link::Difference { pair, steps } => {
                 count(steps.len());
@@ -171,6 +185,12 @@ fn check_work(certificate: &ConnectedCertificate, scene: &Scene) -> Result<(), R
             Link::Point { addresses } => {
                 for Address { head, repeat } in addresses {
                     work.add(10, head.len() + repeat.len());
+                }
+            }
+            // The points, and those of the first two under each map.
+            Link::Between { addresses } => {
+                for Address { head, repeat } in addresses {
+                    work.add(10 + certificate.maps.len() as u64, head.len() + repeat.len());
                 }
             }
             Link::Area { .. } => work.add(1, 1),

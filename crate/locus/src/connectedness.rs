@@ -181,7 +181,8 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
         // Pieces that are meant to lie to each other in finitely many ways mostly touch: then nothing is seen to cross.
         match points.as_meant() {
             Some(meant) if meant.neighbours.is_some() => Some(meant),
-            meant => reason::by_differences(maps, &shared, search.plane_diameter, near)
+            meant => reason::by_line(maps, &shared)
+                .or_else(|| reason::by_differences(maps, &shared, search.plane_diameter, near))
                 .or_else(|| reason::by_crossings(maps, shared, gap, near))
                 .or(meant),
         }

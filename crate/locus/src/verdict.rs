@@ -203,6 +203,8 @@ pub enum ReasonKind {
     SharedPoints,
     /// Enough pairs of pieces must cross.
     Crossings,
+    /// The attractor lies on a line, and enough pairs of pieces overlap there.
+    Line,
     /// Copies of one shape and direction that are moved by differences of its points.
     Differences,
     /// Enough pairs of pieces have points in common, infinitely many, and lie to each other in finitely many ways.
@@ -220,6 +222,7 @@ impl ReasonKind {
             Self::Area => "area",
             Self::SharedPoints => "shared-points",
             Self::Crossings => "crossings",
+            Self::Line => "line",
             Self::Differences => "differences",
             Self::Neighbours => "neighbours",
         }
