@@ -14,23 +14,36 @@ struct Map {
 }
 
 /// A point of the plane: two whole numbers over a third.
-struct Point {
+pub(crate) struct Point {
     over: [BigInt; 2],
     under: BigInt,
 }
 
+impl Point {
+    /// The step from here to another point, but for a positive factor.
+    pub fn step_to(&self, other: &Self) -> [BigInt; 2] {
+        let step = |k: usize| &other.over[k] * &self.under - &self.over[k] * &other.under;
+        // Both are positive for words that contract; nothing hangs on that here.
+        let turned = (self.under < BigInt::ZERO) != (other.under < BigInt::ZERO);
+        [0, 1].map(|k| if turned { -step(k) } else { step(k) })
+    }
+}
+
 impl Scene<'_> {
+    /// What it takes to find the point of an address, and the binary digits of its numbers.
+    pub fn cost_point(&self, Address { head, repeat }: &Address) -> (u64, u64) {
+        let [head, repeat] = [head.len(), repeat.len()].map(|letters| letters as u64);
+        let [once, round] = [head, repeat].map(|letters| letters * self.letter);
+        // A product of maps for each letter; the point that repeats, and where the head takes it.
+        let maps = [(head, once), (repeat, round)]
+            .map(|(letters, end)| letters.saturating_mul(10 * product(end, self.letter)));
+        let point = 8 * product(round, round) + 8 * product(once, 2 * round);
+        (maps[0].saturating_add(maps[1]).saturating_add(point), once + 2 * round)
+    }
+
     /// What [`Self::coincide`] takes.
     pub fn cost_coincide(&self, addresses: &[Address; 2]) -> u64 {
-        let [a, b] = addresses.each_ref().map(|Address { head, repeat }| {
-            let [head, repeat] = [head.len(), repeat.len()].map(|letters| letters as u64);
-            let [once, round] = [head, repeat].map(|letters| letters * self.letter);
-            // A product of maps for each letter; the point that repeats, and where the head takes it.
-            let maps = [(head, once), (repeat, round)]
-                .map(|(letters, end)| letters.saturating_mul(10 * product(end, self.letter)));
-            let point = 8 * product(round, round) + 8 * product(once, 2 * round);
-            (maps[0].saturating_add(maps[1]).saturating_add(point), once + 2 * round)
-        });
+        let [a, b] = addresses.each_ref().map(|address| self.cost_point(address));
         a.0.saturating_add(b.0).saturating_add(4 * product(a.1, b.1))
     }
 
@@ -60,7 +73,16 @@ impl Scene<'_> {
         whole
     }
 
-    fn point(&self, address: &Address) -> Point {
+    /// The image of a point under a map.
+    pub fn image(&self, letter: usize, at: &Point) -> Point {
+        let [a, b, c, d, e, f] = &self.maps.rows[letter];
+        let ([x, y], under) = (&at.over, &at.under);
+        let over = [a * x + b * y + e * under, c * x + d * y + f * under];
+        Point { over, under: under << self.maps.bits }
+    }
+
+    /// The point of an address. Letters are known to be maps, and those that repeat to contract.
+    pub fn point(&self, address: &Address) -> Point {
         // From (1 - M) x = t by Cramer's rule: no factor of a power of two is left over.
         let Map { row: [a, b, c, d, e, f], bits } = self.word(&address.repeat);
         let one = BigInt::from(1) << bits;

@@ -58,6 +58,11 @@ pub enum Link {
         /// `x -> L^-1 (x - (t_k - t_l))`.
         steps: Vec<[u8; 2]>,
     },
+    /// The attractor lies on a line, and two pieces overlap there.
+    Between {
+        /// Two points of the first piece, and one of the second that lies between them.
+        addresses: [Address; 3],
+    },
     /// Two pieces lie across each other.
     Crossing {
         /// Their words.

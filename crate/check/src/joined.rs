@@ -70,6 +70,7 @@ pub(crate) fn check_connected_within(
         return Err(Refused::Squares);
     }
     let mut reached = Reached::new(maps.len());
+    let mut on_line = false;
     for (k, link) in links.iter().enumerate() {
         let (pair, why) = match link {
             Link::Point { addresses } => (
@@ -87,6 +88,12 @@ pub(crate) fn check_connected_within(
                     None => false,
                 };
                 (pair, (!meets).then_some("its step is not shown to be a difference of two points"))
+            }
+            Link::Between { addresses } => {
+                on_line = on_line || scene.stays_on_line(addresses)?;
+                let [p, _, r] = addresses.each_ref().map(first);
+                let holds = on_line && scene.is_between(addresses)?;
+                ([p, r], (!holds).then_some("its pieces are not shown to overlap on a line that holds all"))
             }
             Link::Crossing { words, far } => {
                 let across = lie_across(&scene, words, far, &gap)?;
@@ -150,6 +157,13 @@ fn check_form(certificate: &ConnectedCertificate) -> Result<usize, Refused> {
                 count(head.len() + repeat.len());
                 is_known(head) && is_word(repeat)
             }),
+            Link::Between { addresses } => {
+                let are_known = addresses.iter().all(|Address { head, repeat }| {
+                    count(head.len() + repeat.len());
+                    is_known(head) && is_word(repeat)
+                });
+                are_known && first(&addresses[0]) == first(&addresses[1])
+            }
             Link::Area { pair } => pair[0] != pair[1] && is_known(pair),
             Link::Difference { pair, steps } => {
                 count(steps.len());
@@ -184,11 +198,18 @@ fn plan(
         work.spend(scene.cost_near(words))?;
     }
     work.spend(differences.map_or(0, |differences| differences.cost_all(scene)))?;
+    let mut on_line = false;
     for link in links {
         work.spend(match link {
             Link::Point { addresses } => scene.cost_coincide(addresses),
             Link::Area { .. } => scene.cost_fill(),
             Link::Difference { steps, .. } => differences.map_or(0, |all| all.cost_meet(scene, steps.len())),
+            Link::Between { addresses } => {
+                // The line is looked at once.
+                let line = if on_line { 0 } else { scene.cost_line(addresses) };
+                on_line = true;
+                line.saturating_add(scene.cost_between(addresses))
+            }
             Link::Crossing { words, far } => cost_across(scene, words, far)?,
         })?;
     }

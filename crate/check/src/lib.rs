@@ -55,6 +55,11 @@
 //! 4. *Links reach every piece.* Were g not 0, all links would be shorter than g, and so the spanning tree: a
 //!    contradiction. So all pieces hang together by pieces that meet, and `A` is connected (Hata 1985).
 //!
+//! *On a line.* Where two points of `A` differ, and every map takes the line through them into itself, `A` lies on this
+//! line: it is in every closed set that the maps take into itself. Let a link say that a point of `A_j` lies between
+//! two points of `A_i`, or is one of them. `A_i` is connected in steps of g, made smaller as `w_i` does (see above). So
+//! this point is within half such a step of `A_i`, and the two pieces are nearer to each other than g, if g is not 0.
+//!
 //! *Differences.* Let all maps be `w_i(x) = L x + t_i`, and `D'` be the set of all differences `a - b` of two points
 //! of `A`. `L a + t_i = L b + t_j` says that `a - b = L^-1 (t_j - t_i)`: the pieces `A_i` and `A_j` meet just if that
 //! is in `D'`. Let K be the union of `squares`, each of which `x -> L^-1 (x - d)` takes into K, where d is a difference
@@ -96,6 +101,7 @@ mod crossing;
 mod difference;
 mod joined;
 mod limits;
+mod line;
 mod polygon;
 mod proof;
 mod refused;

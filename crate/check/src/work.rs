@@ -146,8 +146,19 @@ mod tests {
         connected(maps, vec![Link::Area { pair: [0, 1] }; links], None)
     }
 
+    /// Two pieces of a segment that overlap: 0.6 x + 1 has the points 2.5 and -0.5, and 0.6 x - 1 has 0.5 between them.
+    fn lines(letters: usize, links: usize) -> Proof {
+        let maps = [1.0, -1.0].map(|e| [0.6, 0.0, 0.0, 0.6, e, 0.0]).to_vec();
+        let address = |head: u8, rest: u8| Address {
+            head: [vec![head], vec![rest; letters]].concat(),
+            repeat: vec![rest; letters],
+        };
+        let addresses = [address(0, 0), address(0, 1), address(1, 0)];
+        connected(maps, vec![Link::Between { addresses }; links], None)
+    }
+
     /// Proofs of every kind of claim.
-    fn proofs() -> [Proof; 10] {
+    fn proofs() -> [Proof; 12] {
         [
             apart(2, 1),
             apart(40, 7),
@@ -159,6 +170,8 @@ mod tests {
             bars(30),
             areas(1),
             areas(100),
+            lines(1, 1),
+            lines(30, 3),
         ]
     }
 
@@ -202,6 +215,7 @@ mod tests {
             (apart(20, 500), apart(20, 2000), 4),
             (areas(500), areas(2000), 4),
             (points(1, 500), points(1, 2000), 4),
+            (lines(1, 500), lines(1, 2000), 4),
             (points(200, 1), points(400, 1), 8),
             (copies(4, 200), copies(4, 400), 8),
         ] {
@@ -220,6 +234,7 @@ mod tests {
         };
         too_large(apart(1000, 4000));
         too_large(points(499, 2000));
+        too_large(lines(499, 2000));
         too_large(copies(16, 999 * 2));
         too_large(areas(1_000_001));
         let change = |proof: Proof, change: &dyn Fn(&mut ConnectedCertificate)| match proof {

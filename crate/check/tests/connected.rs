@@ -305,3 +305,49 @@ fn certificates_of_both_kinds_are_told_apart_as_text() {
         assert!(Proof::from_json(text).is_err(), "{text}");
     }
 }
+
+/// A segment from -2.5 to 2.5 of two parts that overlap, along (1, 2).
+fn segment(scale: f64) -> ConnectedCertificate {
+    let map = |sign: f64| [scale, 0.0, 0.0, scale, sign, 2.0 * sign];
+    let end = |head: u8, repeat: u8| Address { head: vec![head], repeat: vec![repeat] };
+    ConnectedCertificate {
+        maps: vec![map(1.0), map(-1.0)],
+        polygon: vec![[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]],
+        // The first piece reaches from the image of the one end to that of the other; the second begins below it.
+        links: vec![Link::Between { addresses: [end(0, 1), end(0, 0), end(1, 0)] }],
+        ..gasket()
+    }
+}
+
+#[test]
+fn segments_that_overlap_on_a_line_are_accepted() {
+    for scale in [0.5, 0.5_f64.next_up(), 0.6, 0.75] {
+        assert!(check_connected(&segment(scale)).is_ok(), "{scale}");
+    }
+}
+
+#[test]
+fn what_does_not_overlap_on_a_line_is_refused() {
+    let refused = |certificate: &ConnectedCertificate| check_connected(certificate).map_err(|why| why.code());
+    assert_eq!(refused(&segment(0.5_f64.next_down())), Err("link"));
+    // Off the line by the last digit. Moved, both copies still lie on one line, since they are copies of one shape.
+    for k in 0..4 {
+        let mut bent = segment(0.6);
+        bent.maps[1][k] = if bent.maps[1][k] == 0.0 { 1e-300 } else { bent.maps[1][k].next_up() };
+        assert_eq!(refused(&bent), Err("link"), "number {k}");
+    }
+    // Two points of the first piece that are one, or not of one piece; the third outside; letters of no map.
+    let with = |letters: [[u8; 2]; 3]| {
+        let addresses = letters.map(|[head, repeat]| Address { head: vec![head], repeat: vec![repeat] });
+        ConnectedCertificate { links: vec![Link::Between { addresses }], ..segment(0.6) }
+    };
+    assert_eq!(refused(&with([[0, 0], [0, 0], [1, 0]])), Err("link"));
+    assert_eq!(refused(&with([[0, 0], [0, 0], [0, 0]])), Err("link"));
+    assert_eq!(refused(&with([[0, 1], [0, 0], [1, 1]])), Err("link"));
+    assert_eq!(refused(&with([[0, 1], [1, 1], [1, 0]])), Err("form"));
+    assert_eq!(refused(&with([[0, 1], [0, 0], [2, 0]])), Err("form"));
+    assert_eq!(refused(&with([[0, 1], [0, 0], [0, 0]])), Err("unreached"));
+    // Pieces of the plane that are nowhere near a line.
+    let plane = ConnectedCertificate { maps: plus().maps, ..with([[0, 1], [0, 0], [1, 0]]) };
+    assert_eq!(refused(&plane), Err("link"));
+}

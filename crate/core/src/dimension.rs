@@ -61,6 +61,8 @@ pub trait Dimension: sealed::Sealed + Copy + Debug + PartialEq + 'static {
     fn row(linear: Self::Matrix, translation: Self::Vector) -> Self::Row;
     /// The length of a vector.
     fn length(v: Self::Vector) -> f64;
+    /// The largest coordinate of a vector, without its sign.
+    fn size(v: Self::Vector) -> f64;
     /// The determinant.
     fn determinant(m: Self::Matrix) -> f64;
     /// The inverse; not finite where there is none.

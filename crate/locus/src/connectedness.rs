@@ -61,6 +61,27 @@ impl<P, R> Connectedness<P, R> {
         }
     }
 
+    /// The answer as it is; or `Undecided` where its numbers contradict each other or are none, so that one of them is
+    /// wrong, and nobody knows which. Every full answer, of the plane and of space, goes through here.
+    pub(crate) fn or_undecided(self) -> Self {
+        let apart = self.verdict == Verdict::Disconnected;
+        if self.gap.is_possible(self.diameter) && apart == (self.gap.lower > 0.0) {
+            return self;
+        }
+        let count = self.components.len();
+        Self {
+            verdict: Verdict::Undecided,
+            gap: Gap { lower: 0.0, upper: f64::INFINITY },
+            overlaps: Vec::new(),
+            components: (0..count).collect(),
+            count,
+            closest: None,
+            diameter: f64::INFINITY,
+            nodes: self.nodes,
+            reason: None,
+        }
+    }
+
     /// All pieces are the same point, as far as floating point tells.
     pub(crate) fn in_one_point(count: usize, reason: Option<R>, is_proof: impl FnOnce(&R) -> bool) -> Self {
         let proved = reason.as_ref().is_some_and(is_proof);
@@ -160,7 +181,8 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
         // Pieces that are meant to lie to each other in finitely many ways mostly touch: then nothing is seen to cross.
         match points.as_meant() {
             Some(meant) if meant.neighbours.is_some() => Some(meant),
-            meant => reason::by_differences(maps, &shared, search.plane_diameter, near)
+            meant => reason::by_line(maps, &shared)
+                .or_else(|| reason::by_differences(maps, &shared, search.plane_diameter, near))
                 .or_else(|| reason::by_crossings(maps, shared, gap, near))
                 .or(meant),
         }
@@ -191,7 +213,7 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
         Verdict::Undecided => search.widest_edge(),
     };
     let closest = widest.ends.map(|[from, to]| (frame.to_plane(from), frame.to_plane(to)));
-    Connectedness {
+    let found = Connectedness {
         verdict,
         gap: Gap { lower: widest.lower, upper: widest.upper },
         overlaps,
@@ -201,7 +223,8 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
         diameter,
         nodes: search.nodes(),
         reason,
-    }
+    };
+    found.or_undecided()
 }
 
 /// The widest gap of an attractor that is in several pieces, from the search that told them apart.
@@ -243,4 +266,38 @@ fn one(count: usize) -> Components {
         components.join(0, i);
     }
     components
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_answer_whose_numbers_contradict_each_other_is_none() {
+        let dust = [0.0, 0.7].map(|e| Affine2::similitude(0.3, 0.0, DVec2::new(e, 0.0)));
+        let contraction = Contraction::find(&dust).unwrap();
+        let apart = decided(&dust, &contraction, &Options::default());
+        assert_eq!(apart.verdict, Verdict::Disconnected);
+        let Gap { lower, upper } = apart.gap;
+        for gap in [
+            Gap { lower: upper, upper: lower },
+            Gap { lower: 0.7, upper: 9e-14 },
+            Gap { lower: 0.0, upper },
+            Gap { lower: f64::NAN, upper },
+            Gap { lower, upper: f64::NAN },
+            Gap { lower, upper: 2.0 * apart.diameter },
+            Gap { lower: f64::INFINITY, upper: f64::INFINITY },
+        ] {
+            let answer = Connectedness { gap, ..apart.clone() }.or_undecided();
+            assert_eq!((answer.verdict, answer.gap.lower), (Verdict::Undecided, 0.0), "{gap:?}");
+            assert_eq!((answer.count, answer.overlaps.len(), answer.closest), (2, 0, None));
+        }
+        for diameter in [f64::NAN, f64::INFINITY, 0.0] {
+            let answer = Connectedness { diameter, ..apart.clone() }.or_undecided();
+            assert_eq!(answer.verdict, Verdict::Undecided, "{diameter}");
+        }
+        let whole = Connectedness { verdict: Verdict::Touching, count: 1, ..apart.clone() };
+        assert_eq!(whole.or_undecided().verdict, Verdict::Undecided, "a gap is proved");
+        assert_eq!(apart.clone().or_undecided(), apart);
+    }
 }

@@ -151,9 +151,16 @@ impl Scratch {
     }
 
     fn decide(&mut self, maps: &[Affine2], epsilon: f64, budget: usize, ask: Ask<'_>) -> Bounded {
-        if let Some(magnification) = Magnification::of(maps) {
-            return magnification.bounded(self.decide(&magnification.magnify(maps), epsilon, budget, ask));
-        }
+        let found = match Magnification::of(maps) {
+            Some(magnification) => {
+                magnification.bounded(self.bracket(&magnification.magnify(maps), epsilon, budget, ask))
+            }
+            None => self.bracket(maps, epsilon, budget, ask),
+        };
+        found.or_undecided()
+    }
+
+    fn bracket(&mut self, maps: &[Affine2], epsilon: f64, budget: usize, ask: Ask<'_>) -> Bounded {
         let Ask { polygon, bounds, start, ways_alone } = ask;
         let Self { frame, support, greedy, words, differences, series, search, trails, .. } = self;
         trails.clear();

@@ -1,5 +1,6 @@
 //! What shows a verdict: reasons to be connected, and certificates of being disconnected.
 
+pub(crate) mod axis_scales;
 pub(crate) mod certificate;
 pub(crate) mod collinear;
 pub(crate) mod connected_certificate;

@@ -122,6 +122,12 @@ impl Frame {
         self.error = if self.plain { self.rounding } else { ROUNDING_UNIT * growth * spread };
     }
 
+    /// The same for maps that leave one point where it is, at the distance of that point from 0, or 1 if it is 0.
+    pub fn set_about_point(&mut self, maps: &[Affine2], found: &Contraction) {
+        let away = (found.to_round * found.centre).length();
+        self.set_round(maps, &Contraction { radius: if away > 0.0 { away } else { 1.0 }, ..found.clone() });
+    }
+
     fn place(&mut self, maps: &[Affine2], to: DMat2, from: DMat2, origin: DVec2, radius: f64) {
         self.origin = origin;
         let extent = origin.length().max(maps.iter().map(|m| m.translation.length()).fold(0.0, f64::max));

@@ -1,7 +1,7 @@
 //! Magnification of shapes so small that the squares of lengths in them underflow, or so large that products of a few
 //! overflow.
 
-use frond_core::{Affine2, Affine3};
+use frond_core::{Affine2, Affine3, DirectedMap};
 use glam::{DVec2, DVec3};
 
 use crate::verdict::{Bounded, Ellipse, Gap};
@@ -27,6 +27,12 @@ impl Magnification {
         Self::for_size(maps.iter().map(|map| map.translation.abs().max_element()).fold(0.0, f64::max))
     }
 
+    /// The same of the states of a graph-directed system.
+    pub fn of_states(states: &[Vec<DirectedMap>]) -> Option<Self> {
+        let sizes = states.iter().flatten().map(|part| part.map.translation.abs().max_element());
+        Self::for_size(sizes.fold(0.0, f64::max))
+    }
+
     /// The same in space.
     pub fn of3(maps: &[Affine3]) -> Option<Self> {
         Self::for_size(maps.iter().map(|map| map.translation.abs().max_element()).fold(0.0, f64::max))
@@ -44,6 +50,14 @@ impl Magnification {
     pub fn magnify(self, maps: &[Affine2]) -> Vec<Affine2> {
         let large = |t: DVec2| t * self.factors[0] * self.factors[1];
         maps.iter().map(|map| Affine2::new(map.linear, large(map.translation))).collect()
+    }
+
+    pub fn magnify_states(self, states: &[Vec<DirectedMap>]) -> Vec<Vec<DirectedMap>> {
+        let large = |part: &DirectedMap| {
+            let translation = part.map.translation * self.factors[0] * self.factors[1];
+            DirectedMap { map: Affine2::new(part.map.linear, translation), ..*part }
+        };
+        states.iter().map(|maps| maps.iter().map(large).collect()).collect()
     }
 
     pub fn magnify3(self, maps: &[Affine3]) -> Vec<Affine3> {

@@ -76,6 +76,13 @@ pub enum State {
     NoAttractor = 4,
 }
 
+impl Gap {
+    /// Whether both bounds can be true of a shape of at most this diameter. NaN is none of it.
+    pub(crate) fn is_possible(self, diameter: f64) -> bool {
+        0.0 <= self.lower && self.lower <= self.upper && self.upper <= diameter && diameter.is_finite()
+    }
+}
+
 impl State {
     /// Whether the attractor is in one piece as far as is known.
     #[must_use]
@@ -124,6 +131,12 @@ pub struct Ellipse {
     pub length: usize,
 }
 
+impl Ellipse {
+    fn is_finite(&self) -> bool {
+        self.centre.is_finite() && self.to_round.is_finite() && self.from_round.is_finite()
+    }
+}
+
 /// The answer of [`decide_bounds`](crate::decide_bounds).
 ///
 /// With `g` the widest gap (the widest edge of the minimum spanning tree of the distances between pieces,
@@ -146,6 +159,28 @@ pub struct Bounded {
 }
 
 impl Bounded {
+    /// The answer as it is; or `Undecided` where its numbers contradict each other or are none, so that one of them is
+    /// wrong, and nobody knows which. Every answer of [`decide`](crate::decide()) goes through here.
+    pub(crate) fn or_undecided(self) -> Self {
+        let Self { sample, lower, upper, diameter, ellipse } = self;
+        let possible = match sample.state {
+            State::Disconnected => {
+                let gap = Gap { lower, upper: upper.min(1.0) };
+                let seen = (0.0..=1.0).contains(&sample.gap) && lower > 0.0 && !upper.is_nan();
+                seen && gap.is_possible(1.0) && diameter > 0.0 && diameter.is_finite()
+            }
+            // What was not asked for is NaN and infinite.
+            State::Connected | State::Touching => lower == 0.0 && upper >= 0.0 && diameter != f64::INFINITY,
+            State::Undecided | State::NoAttractor => true,
+        };
+        if possible {
+            return Self { ellipse: ellipse.filter(Ellipse::is_finite), ..self };
+        }
+        // No gap is wider than the shape.
+        let sample = Sample { state: State::Undecided, gap: 1.0 };
+        Self { sample, ..Self::unknown(State::Undecided) }
+    }
+
     /// The answer where it is not known whether there is an attractor, or known that there is none.
     pub(crate) const fn unknown(state: State) -> Self {
         let sample = Sample { state, gap: f32::NAN };
@@ -168,6 +203,8 @@ pub enum ReasonKind {
     SharedPoints,
     /// Enough pairs of pieces must cross.
     Crossings,
+    /// The attractor lies on a line, and enough pairs of pieces overlap there.
+    Line,
     /// Copies of one shape and direction that are moved by differences of its points.
     Differences,
     /// Enough pairs of pieces have points in common, infinitely many, and lie to each other in finitely many ways.
@@ -185,8 +222,68 @@ impl ReasonKind {
             Self::Area => "area",
             Self::SharedPoints => "shared-points",
             Self::Crossings => "crossings",
+            Self::Line => "line",
             Self::Differences => "differences",
             Self::Neighbours => "neighbours",
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn apart() -> Bounded {
+        let sample = Sample { state: State::Disconnected, gap: 0.3 };
+        Bounded { sample, lower: 0.29, upper: 0.31, diameter: 2.0, ..Bounded::unknown(State::Undecided) }
+    }
+
+    #[test]
+    fn numbers_that_contradict_each_other_are_no_answer() {
+        assert_eq!(apart().or_undecided().sample, apart().sample);
+        let gap = |gap: f32| Bounded { sample: Sample { gap, ..apart().sample }, ..apart() };
+        let broken = [
+            Bounded { lower: 0.7, upper: 9e-14, ..apart() },
+            Bounded { lower: f64::INFINITY, upper: f64::INFINITY, ..apart() },
+            Bounded { lower: f64::NAN, ..apart() },
+            Bounded { lower: 0.0, ..apart() },
+            Bounded { upper: f64::NAN, ..apart() },
+            Bounded { diameter: f64::NAN, ..apart() },
+            Bounded { diameter: f64::INFINITY, ..apart() },
+            Bounded { diameter: 0.0, ..apart() },
+            gap(f32::NAN),
+            gap(1.5),
+            gap(-0.1),
+        ];
+        for broken in broken {
+            let answer = broken.or_undecided();
+            assert_eq!(answer.sample, Sample { state: State::Undecided, gap: 1.0 }, "{broken:?}");
+            assert!(answer.lower == 0.0 && answer.upper == f64::INFINITY, "{answer:?}");
+        }
+        for state in [State::Connected, State::Touching] {
+            let whole = Bounded { lower: 0.0, upper: 0.0, ..Bounded::unknown(state) };
+            assert_eq!(whole.or_undecided().sample.state, state);
+            for broken in [
+                Bounded { lower: 0.1, ..whole },
+                Bounded { upper: f64::NAN, ..whole },
+                Bounded { diameter: f64::INFINITY, ..whole },
+            ] {
+                assert_eq!(broken.or_undecided().sample.state, State::Undecided, "{broken:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_ellipse_that_is_none_is_not_told_of() {
+        let round = Ellipse {
+            centre: DVec2::ZERO,
+            to_round: DMat2::IDENTITY,
+            from_round: DMat2::IDENTITY,
+            factor: 0.5,
+            length: 1,
+        };
+        assert_eq!(Bounded { ellipse: Some(round), ..apart() }.or_undecided().ellipse, Some(round));
+        let lost = Ellipse { to_round: DMat2::NAN, ..round };
+        assert_eq!(Bounded { ellipse: Some(lost), ..apart() }.or_undecided().ellipse, None);
     }
 }

@@ -4,7 +4,7 @@ use frond_check::{Pair, Refused, check};
 use frond_core::{Affine2, Ifs, hash};
 use frond_locus::{Certificate, Options, Verdict, certificate, connected_certificate, connectedness};
 use frond_testing::cases;
-use glam::DVec2;
+use glam::{DMat2, DVec2};
 
 /// The certificate in the checker's own terms.
 fn plain(found: &Certificate) -> frond_check::Certificate {
@@ -399,4 +399,80 @@ fn mutants_are_refused() {
         println!("{count:5}  {name}: {code}");
     }
     assert!(kinds.len() >= 18 && kinds.values().sum::<u32>() > 7 * count);
+}
+
+/// The maps in coordinates that are stretched along both axes by powers of two.
+fn stretched(maps: &[Affine2], [x, y]: [i32; 2]) -> Vec<Affine2> {
+    let [x, y] = [x, y].map(|power| 2.0_f64.powi(power));
+    let row = |map: &Affine2| {
+        let [a, b, c, d, e, f] = map.to_row();
+        Affine2::from_row([a, b * (x / y), c * (y / x), d, e * x, f * y])
+    };
+    maps.iter().map(row).collect()
+}
+
+#[test]
+fn stretched_shapes_have_certificates() {
+    // Thirds of quarter turns, in coordinates of their own.
+    let (b, c) = (5_726_623_061.333_333, 1.940_255_363_782_246_8e-11);
+    let (e, f) = (699_050.666_666_666_6, 4.069_010_416_666_666_4e-5);
+    let found = [[0.0, -b, c, 0.0, -e, 0.0], [0.0, b, -c, 0.0, e, 0.0], [0.0, b, c, 0.0, -e, f]];
+    let mut all = vec![found.map(Affine2::from_row).to_vec()];
+    let mut dice = Dice { seed: 12, count: 0 };
+    for k in 0..cases(60) as i32 {
+        let turned = |dice: &mut Dice| {
+            let quarter = [[0.0, -1.0, 1.0, 0.0], [1.0, 0.0, 0.0, -1.0], [0.0, 1.0, 1.0, 0.0]][dice.below(3)];
+            let scale = dice.between(0.2, 0.35);
+            let [p, q, r, s] = quarter.map(|x| x * scale);
+            Affine2::from_row([p, q, r, s, dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)])
+        };
+        let maps: Vec<Affine2> = (0..3).map(|_| turned(&mut dice)).collect();
+        all.push(stretched(&maps, [k % 60 - 20, (17 * k) % 60 - 30]));
+    }
+    let mut apart = 0;
+    for maps in all {
+        let Ok(ifs) = Ifs::new(maps.clone()) else { continue };
+        let answer = connectedness(&ifs, &Options::default());
+        if answer.verdict != Verdict::Disconnected {
+            continue;
+        }
+        apart += 1;
+        let found = certificate(&ifs, &Options::default());
+        let found =
+            found.unwrap_or_else(|| panic!("no certificate: {maps:?} {:?} {}", answer.gap, answer.diameter));
+        assert!(check(&plain(&found)).is_ok(), "{maps:?}: {:?}", check(&plain(&found)));
+    }
+    assert!(apart > 30, "{apart}");
+}
+
+/// The verdict may come of few looks where pairs for a certificate take more.
+#[test]
+fn flat_copies_that_come_near_have_certificates_however_small_the_budget() {
+    let mut dice = Dice { seed: 8, count: 0 };
+    let mut gaps = Vec::new();
+    for k in 0..cases(150) {
+        let (wide, high) = (dice.between(0.2, 1.0), dice.between(0.05, 0.5));
+        let copy = |_| {
+            let shift = DVec2::new(dice.between(-wide, wide), dice.between(-high, high));
+            Affine2::new(DMat2::from_diagonal(DVec2::new(0.328_125, 0.738_148_05)), shift)
+        };
+        let ifs = Ifs::new((0..8).map(copy).collect()).unwrap();
+        let of = |budget: usize| connectedness(&ifs, &Options { budget, ..Options::default() });
+        // The least that is enough for the verdict.
+        let (mut less, mut enough) = (0, 20_000);
+        if of(enough).verdict != Verdict::Disconnected {
+            continue;
+        }
+        while enough - less > 1 {
+            let budget = usize::midpoint(less, enough);
+            if of(budget).verdict == Verdict::Disconnected { enough = budget } else { less = budget }
+        }
+        let answer = of(enough);
+        gaps.push(answer.gap.lower / answer.diameter);
+        let found = certificate(&ifs, &Options { budget: enough, ..Options::default() });
+        let found = found.unwrap_or_else(|| panic!("{k}, {enough} looks: {:?}", answer.gap));
+        assert!(check(&plain(&found)).is_ok(), "{k}: {:?}", check(&plain(&found)));
+    }
+    gaps.sort_by(f64::total_cmp);
+    assert!(gaps.len() > 10 && gaps[0] < 0.02, "{gaps:?}");
 }

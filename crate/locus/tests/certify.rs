@@ -2,8 +2,10 @@
 
 mod common;
 
-use frond_core::{Affine2, Ifs, Morph, MorphOptions, hash, routes};
-use frond_locus::{CertifyOptions, PathOptions, Scratch, along, certify_path, decide_bounds, find_path};
+use frond_core::{Affine2, Ifs, Mode, Morph, MorphOptions, hash, routes};
+use frond_locus::{
+    CertifyOptions, PathCertificate, PathOptions, Scratch, along, certify_path, decide_bounds, find_path,
+};
 use glam::{DVec2, DVec3};
 
 use crate::common::dragon_to_gasket;
@@ -84,12 +86,69 @@ fn one_touching_point_is_bounded_as_finely_as_asked() {
     }
 }
 
+fn assert_proves_nothing(proved: &PathCertificate) {
+    assert!(!proved.holds && !proved.complete && proved.gap == f64::INFINITY, "{proved:?}");
+}
+
+/// Three maps whose attractor is dust, moved from here to there: at every moment its gap is 2/5 of its length.
+#[test]
+fn moments_of_dust_are_looked_at_and_what_is_no_stretch_proves_nothing() {
+    let dust = |y: f64| [0.0, 0.5, 1.0].map(|x| Affine2::similitude(0.2, 0.0, DVec2::new(x, y) * 0.8));
+    let morph = Morph::new(&dust(0.0), &dust(1.0), &MorphOptions::default()).unwrap();
+    let straight = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0)];
+    let bent = [DVec3::ZERO, DVec3::ZERO, DVec3::X, DVec3::X, DVec3::new(1.0, 1.0, 0.0)];
+    for points in [&straight[..], &bent, &straight[..1]] {
+        let proved = |t0: f64, t1: f64, within: f64| {
+            certify_path(&morph, points, &CertifyOptions { t0, t1, within, budget: 300 })
+        };
+        for (t0, t1) in
+            [(0.0, 0.0), (0.3, 0.3), (0.5, 0.5), (1.0, 1.0), (-1.0, 0.0), (1.0, 2.0), (0.5, 0.5 + 1e-17)]
+        {
+            let moment = proved(t0, t1, 1e-3);
+            let at = t0.clamp(0.0, 1.0);
+            assert!(!moment.holds && moment.gap >= 0.2 && moment.gap < 0.6, "{t0} {t1}: {moment:?}");
+            assert!(moment.boxes > 0 && (moment.worst - at).abs() < 1e-12, "{t0} {t1}: {moment:?}");
+            assert!(proved(t0, t1, 0.6).holds, "{t0} {t1}");
+        }
+        for (t0, t1) in
+            [(0.5, 0.2), (2.0, 3.0), (-2.0, -1.0), (f64::NAN, 1.0), (0.0, f64::NAN), (f64::NAN, f64::NAN)]
+        {
+            assert_proves_nothing(&proved(t0, t1, 1e-3));
+            assert_proves_nothing(&proved(t0, t1, f64::INFINITY));
+        }
+    }
+    // What cannot be bounded does not hold, whatever was asked for.
+    let lost = [DVec3::ZERO, DVec3::new(f64::INFINITY, 0.0, 0.0)];
+    let options = CertifyOptions { within: f64::INFINITY, ..CertifyOptions::default() };
+    assert_proves_nothing(&certify_path(&morph, &lost, &options));
+}
+
+/// Where joints bound the gap of all moments, they do not bound that of none.
+#[test]
+fn joints_prove_no_stretch_that_is_none() {
+    let half = |angle: f64| {
+        let at = |k: f64| Affine2::similitude(0.5, 0.0, DVec2::new(0.5 * k, 0.0)).to_row();
+        let turn = Affine2::rotation(angle);
+        [0.0, 1.0].map(|k| Affine2::from_row(at(k)).conjugate(turn).unwrap())
+    };
+    let linear = MorphOptions { mode: Mode::Linear, ..MorphOptions::default() };
+    let morph = Morph::new(&half(0.0), &half(0.0), &linear).unwrap();
+    let straight = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0)];
+    assert!(certify_path(&morph, &straight, &CertifyOptions::default()).joints > 0);
+    for (t0, t1) in [(0.5, 0.2), (2.0, 3.0), (f64::NAN, 1.0)] {
+        assert_proves_nothing(&certify_path(
+            &morph,
+            &straight,
+            &CertifyOptions { t0, t1, ..CertifyOptions::default() },
+        ));
+    }
+}
+
 #[test]
 fn odd_paths_are_no_trouble() {
     let morph = dragon_to_gasket();
     let options = CertifyOptions { budget: 60, ..CertifyOptions::default() };
-    let proved = certify_path(&morph, &[], &options);
-    assert!(proved.holds && proved.boxes == 0 && proved.gap == 0.0);
+    assert_proves_nothing(&certify_path(&morph, &[], &options));
     let (a, b) = (DVec3::new(0.2, 0.5, 0.0), DVec3::new(0.3, 0.5, 0.1));
     for points in [vec![a], vec![a, a], vec![a, a, a], vec![a, a, b, b], vec![a, b, a, b]] {
         let proved = certify_path(&morph, &points, &options);
@@ -99,10 +158,8 @@ fn odd_paths_are_no_trouble() {
         let proved = certify_path(&morph, &[a, DVec3::new(bad, 0.0, 0.0)], &options);
         assert!(!proved.holds && proved.gap == f64::INFINITY, "{proved:?}");
     }
-    for (t0, t1) in [(0.5, 0.5), (0.7, 0.2), (-3.0, 9.0), (f64::NAN, 1.0)] {
-        let proved = certify_path(&morph, &[a, b], &CertifyOptions { t0, t1, ..options });
-        assert!(proved.gap >= 0.0, "{proved:?}");
-    }
+    let all = certify_path(&morph, &[a, b], &options);
+    assert_eq!(certify_path(&morph, &[a, b], &CertifyOptions { t0: -3.0, t1: 9.0, ..options }), all);
     let none = certify_path(&morph, &[a, b], &CertifyOptions { budget: 0, within: f64::NAN, ..options });
     assert!(!none.complete || none.gap == 0.0, "{none:?}");
 }

@@ -16,6 +16,9 @@ fn plain(found: &ConnectedCertificate) -> frond_check::ConnectedCertificate {
         CertifiedLink::Point(addresses) => {
             Link::Point { addresses: addresses.clone().map(|[head, repeat]| Address { head, repeat }) }
         }
+        CertifiedLink::Between(addresses) => {
+            Link::Between { addresses: addresses.clone().map(|[head, repeat]| Address { head, repeat }) }
+        }
         CertifiedLink::Area(pair) => Link::Area { pair: *pair },
         CertifiedLink::Difference(pair, steps) => Link::Difference { pair: *pair, steps: steps.clone() },
         CertifiedLink::Crossing(words, far) => Link::Crossing {
@@ -54,12 +57,13 @@ fn number(link: &Link) -> usize {
         Link::Area { .. } => 1,
         Link::Crossing { .. } => 2,
         Link::Difference { .. } => 3,
+        Link::Between { .. } => 4,
     }
 }
 
 #[test]
 fn shapes_that_are_proved_have_certificates() {
-    let mut kinds = [0; 4];
+    let mut kinds = [0; 5];
     for preset in presets().into_iter().filter(|preset| preset.maps.len() < 8) {
         let ifs = shape(preset.id);
         let verdict = connectedness(&ifs, &Options::default()).verdict;
@@ -102,7 +106,7 @@ fn proved_samples([from, to]: [&str; 2], side: usize, every: usize) -> Vec<Ifs> 
 /// What is proved of the samples of loci can be handed on, and the checker agrees.
 #[test]
 fn samples_that_are_proved_have_certificates() {
-    let mut kinds = [0; 4];
+    let mut kinds = [0; 5];
     for (names, side, every) in [
         (["dragon-3", "gasket"], 31, 7),
         (["gasket", "spiral"], 31, 5),
@@ -179,4 +183,67 @@ fn certificates_hold_in_other_coordinates() {
         let found = found.unwrap_or_else(|| panic!("{id} has a certificate"));
         assert!(check_connected(&found).is_ok(), "{id}: {:?}", check_connected(&found));
     }
+}
+
+/// What lies on a line, or is a point, has a certificate that the checker takes.
+#[test]
+fn segments_and_points_have_certificates() {
+    let row = |rows: &[[f64; 6]]| -> Vec<Affine2> { rows.iter().copied().map(Affine2::from_row).collect() };
+    let line = [
+        // Two parts that overlap; mirrored; of three maps, of which two share a point; along y.
+        row(&[[0.6, 0.0, 0.0, 0.6, 1.0, 0.0], [0.6, 0.0, 0.0, 0.6, -1.0, 0.0]]),
+        row(&[[-0.6, 0.0, 0.0, 0.3, 1.0, 0.0], [0.7, 0.0, 0.0, -0.6, -1.0, 0.0]]),
+        row(&[[-0.7, 0.3, 0.0, 0.3, 1.0, 0.0], [-0.6, 0.0, 0.0, 0.0, -1.0, 0.0]]),
+        row(&[
+            [0.5, 0.0, 0.0, 0.5, 0.0, 0.0],
+            [0.5, 0.0, 0.0, 0.5, 0.5, 0.0],
+            [0.3, 0.0, 0.0, 0.5, 0.17, 0.0],
+        ]),
+        row(&[
+            [0.4, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [0.4, 0.0, 0.0, 0.0, 0.3, 0.0],
+            [-0.4, 0.0, 0.0, 0.0, 1.0, 0.0],
+        ]),
+        row(&[[0.3, 0.0, 0.2, 0.6, 0.0, 1.0], [0.1, 0.0, 0.0, -0.6, 0.0, -1.0]]),
+    ];
+    for maps in &line {
+        let ifs = Ifs::new(maps.clone()).unwrap();
+        let answer = connectedness(&ifs, &Options::default());
+        assert_eq!(answer.verdict, Verdict::Connected, "{maps:?} {answer:?}");
+        let reason = answer.reason.unwrap();
+        assert_eq!(reason.kind, ReasonKind::Line, "{reason:?}");
+        assert!(reason.text().contains("lies on a line"), "{}", reason.text());
+        let found = certified(&ifs).unwrap_or_else(|| panic!("no certificate for {maps:?}"));
+        assert_eq!(check_connected(&found).map(|checked| checked.links), Ok(found.links.len()), "{maps:?}");
+        assert!(found.links.iter().any(|link| number(link) == 4), "{found:?}");
+    }
+    // A third that is not reached, and segments that are a little too short, have none.
+    let mut less = line[0].clone();
+    less.iter_mut().for_each(|map| map.linear.x_axis.x = 0.4999);
+    assert_eq!(certified(&Ifs::new(less).unwrap()), None);
+    let fixed = |scale: f64, turn: f64| {
+        let linear = Affine2::similitude(scale, turn, DVec2::ZERO).linear;
+        let quarter = linear.to_cols_array().map(|x| (x * 64.0).round() / 64.0);
+        let linear = glam::DMat2::from_cols_array(&quarter);
+        Affine2::new(linear, DVec2::new(3.0, -4.0) - linear * DVec2::new(3.0, -4.0))
+    };
+    let points = [
+        row(&[[0.5, 0.1, -0.3, 0.25, 5.0, 6.0]]),
+        row(&[[0.0; 6]]),
+        row(&[[0.9, 0.0, 0.0, -0.9, 1e-9, 0.0]]),
+        row(&[[0.5, 0.1, -0.3, 0.25, 5.0, 6.0]; 3]),
+        row(&[[0.5, 3.0, 0.0, 0.25, 0.0, 0.0], [0.1, -0.3, 0.2, 0.7, 0.0, 0.0]]),
+        vec![fixed(0.5, 0.3), fixed(0.75, 1.0), fixed(0.9, 2.0)],
+        row(&[[f64::MIN_POSITIVE, 0.0, 0.0, 0.0, 1e6, -3.0]; 2]),
+    ];
+    for maps in &points {
+        let ifs = Ifs::new(maps.clone()).unwrap();
+        assert_eq!(connectedness(&ifs, &Options::default()).verdict, Verdict::Connected, "{maps:?}");
+        let found = certified(&ifs).unwrap_or_else(|| panic!("no certificate for {maps:?}"));
+        assert_eq!(check_connected(&found).map(|checked| checked.links), Ok(maps.len() - 1), "{maps:?}");
+    }
+    // They come near one point, but not exactly.
+    let near = vec![fixed(0.5, 0.3), Affine2::similitude(0.3, 1.0, DVec2::new(0.1, 0.2))];
+    let apart = certified(&Ifs::new(near).unwrap());
+    assert!(apart.is_none_or(|found| check_connected(&found).is_ok()));
 }

@@ -285,3 +285,22 @@ fn a_defective_linear_part_is_measured_and_decided_alike_by_all() {
         }
     }
 }
+
+#[test]
+fn a_piece_that_is_a_point_of_the_dragon_is_no_piece_of_its_own() {
+    let dragon = [[0.5, -0.5, 0.5, 0.5, 0.0, 0.0], [-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]];
+    // Its width along x and along y, by its own equations: from -1/3 to 7/6, from -1/3 to 2/3.
+    let wide = 1.5;
+    for least in [f64::MIN_POSITIVE, -f64::MIN_POSITIVE, f64::from_bits(1), 1.5 * f64::MIN_POSITIVE, 0.0] {
+        for place in 0..4 {
+            let mut point = [0.0; 6];
+            point[place] = least;
+            let maps = rows(&[dragon[0], dragon[1], point]);
+            for epsilon in [1.0 / 600.0, 1e-9] {
+                let (full, fast) = answer(&maps, epsilon);
+                assert!(full.verdict.holds() && fast.holds(), "{least} {place}: {full:?} {fast:?}");
+                assert!(full.diameter >= wide && full.diameter < 2.0 * wide, "{least} {place}: {full:?}");
+            }
+        }
+    }
+}

@@ -56,7 +56,8 @@ fn check(name: &str, maps: &[Affine2], found: &Connectedness, reason: &Reason) {
             let near = 1e-9 * found.diameter.max(1e-9);
             assert!(p.distance(q) <= near && p.distance(link.at) <= near, "{name}: {a} {b} {p} {q}");
         } else {
-            let corners = if link.kind == LinkKind::Crossing { 4 } else { 0 };
+            let has_corners = matches!(link.kind, LinkKind::Crossing | LinkKind::Line);
+            let corners = if has_corners { 4 } else { 0 };
             assert_eq!(link.corners.len(), corners, "{name}");
         }
         for (word, i) in [(a, link.pair.0), (b, link.pair.1)] {

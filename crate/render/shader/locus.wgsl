@@ -30,6 +30,7 @@ const UNDECIDED = 3u;
 
 const ULP = 1.1920929e-7;
 const SMALLEST_DIVISOR = 1e-30;
+const SMALLEST_LENGTH = 1e-37;
 const FAR = 1e9;
 const MAX_MAPS = 8u;
 
@@ -90,7 +91,8 @@ fn support(d: vec2<f32>) -> Support {
     let large = select(d.x, d.y, steep);
     let small = select(d.y, -d.x, steep);
     let length = abs(large);
-    let slope = select(0.0, small / select(1.0, large, length > 0.0), length > 0.0);
+    let usual = length >= SMALLEST_LENGTH;
+    let slope = select(0.0, small / select(1.0, large, usual), usual);
     let along = slope * HALF_SIDE + HALF_SIDE;
     let sector = clamp(floor(along), 0.0, 2.0 * HALF_SIDE - 1.0);
     let part = along - sector;
@@ -463,6 +465,7 @@ fn widest_edge(by_lower: bool) -> f32 {
     return widest;
 }
 
+// Below 0 where the bounds contradict each other.
 fn measure() -> f32 {
     let limit = looks + LOOKS_TO_MEASURE;
     var above = 0.0;
@@ -481,7 +484,8 @@ fn measure() -> f32 {
         }
         edges[best].state = MEASURED;
     }
-    return 0.5 * (above + widest_edge(true));
+    let below = widest_edge(true);
+    return select(-1.0, 0.5 * (above + below), below <= above + margin);
 }
 
 fn decide(x: u32, y: u32) -> u32 {
@@ -530,6 +534,9 @@ fn decide(x: u32, y: u32) -> u32 {
     }
     groups = found;
     let gap = measure() / diameter;
+    if !(gap >= 0.0 && gap <= 1.0) {
+        return UNDECIDED;
+    }
     return (bitcast<u32>(gap) & 0xfffffff8u) | DISCONNECTED;
 }
 

@@ -46,6 +46,7 @@ export type ReasonKind =
   | "area"
   | "shared-points"
   | "crossings"
+  | "line"
   | "differences"
   | "neighbours";
 
@@ -66,11 +67,11 @@ export interface Reason {
 }
 
 /**
- * What holds two pieces together: a point that both have, two paths that must cross, areas too large to leave room, or
- * a step between two copies of one shape that is the difference of two of its points.
+ * What holds two pieces together: a point that both have, two paths that must cross, an overlap on the line that holds
+ * the shape, areas too large to leave room, or a step between two copies of one shape that is the difference of two of its points.
  */
 export interface Link {
-  kind: "point" | "crossing" | "area" | "difference";
+  kind: "point" | "crossing" | "line" | "area" | "difference";
   /** Two maps, the smaller index first. */
   pair: [i: number, j: number];
   /**
@@ -80,7 +81,7 @@ export interface Link {
   words: [string, string];
   /** The shared point, or the middle of the crossing. */
   at: [x: number, y: number];
-  /** Of a crossing: two far points of the first piece, then two of the second. */
+  /** Of a crossing: two far points of the first piece, then two of the second. On a line: the ends of both. */
   corners?: [x: number, y: number][];
 }
 
@@ -118,6 +119,8 @@ export interface ConnectedCertificate {
 export type CertifiedLink =
   | { kind: "point"; addresses: [RepeatedWord, RepeatedWord] }
   | { kind: "area"; pair: [i: number, j: number] }
+  /** All lies on a line: two points of one piece, and one of another that lies between them. */
+  | { kind: "between"; addresses: [RepeatedWord, RepeatedWord, RepeatedWord] }
   /** Steps as those of squares lead from L^-1 (t_j - t_i) into them. */
   | { kind: "difference"; pair: [i: number, j: number]; steps: [k: number, l: number][] }
   /** Two pieces, and parts that jut out beyond the other one along a direction: two of the first, two of the second. */
@@ -244,7 +247,7 @@ export interface PathOptions extends MorphOptions {
 export interface CertifyOptions extends MorphOptions {
   /** The relative gap that is to be excluded. Default 1/600. */
   within?: number;
-  /** The stretch of the path, by length. Default 0 to 1. */
+  /** The stretch of the path, by length; one moment where t1 is t0. Default 0 to 1. What is no stretch of it is refused. */
   t0?: number;
   t1?: number;
   /** The most boxes to look at; fewer where each takes long. */

@@ -7,6 +7,7 @@ use glam::{DMat3, DVec3};
 use crate::bounds::support_table3::SupportTable3;
 use crate::ifs::system::Ifs3;
 use crate::linear::affine::Affine3;
+use crate::linear::transform::{lifting, lowered};
 use crate::order::{Ranked, Total};
 
 /// A box and a ball that hold an attractor of space, each tight to about a hundredth of its size where the maps are not
@@ -55,6 +56,15 @@ impl Bounds3 {
     }
 
     fn with(ifs: &Ifs3, effort: Effort) -> Self {
+        let size = ifs.maps().iter().map(|map| map.translation.abs().max_element()).fold(0.0, f64::max);
+        let lift = lifting(size);
+        if lift != 1.0 {
+            let maps =
+                ifs.maps().iter().map(|map| Affine3::new(map.linear, map.translation * lift)).collect();
+            if let Ok(large) = Ifs3::new(maps) {
+                return Self::with(&large, effort).lowered(lift);
+            }
+        }
         let contraction = ifs.contraction();
         let (to, from, unit) = (contraction.to_round, contraction.from_round, contraction.radius);
         let origin = contraction.centre;
@@ -82,6 +92,18 @@ impl Bounds3 {
         let radius = shape.reach(centre).min(corner) + slack;
         let diameter = table.diameter(shape.linear).min(2.0 * radius).min((max - min).length());
         Self { min: origin + min, max: origin + max, centre: origin + centre, radius, diameter }
+    }
+}
+
+impl Bounds3 {
+    fn lowered(self, lift: f64) -> Self {
+        Self {
+            min: self.min / lift,
+            max: self.max / lift,
+            centre: self.centre / lift,
+            radius: lowered(self.radius, lift),
+            diameter: lowered(self.diameter, lift),
+        }
     }
 }
 

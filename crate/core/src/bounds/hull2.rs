@@ -4,6 +4,7 @@ use glam::{DMat2, DVec2};
 
 use crate::ifs::system::Ifs;
 use crate::linear::affine::Affine2;
+use crate::linear::transform::{lifting, lowered};
 
 /// A convex polygon that holds the attractor, tight to about a hundredth of its size.
 ///
@@ -27,6 +28,15 @@ impl Hull {
     /// The polygon around the attractor of `ifs`.
     #[must_use]
     pub fn of(ifs: &Ifs) -> Self {
+        let size = ifs.maps().iter().map(|map| map.translation.abs().max_element()).fold(0.0, f64::max);
+        let lift = lifting(size);
+        if lift != 1.0 {
+            let maps =
+                ifs.maps().iter().map(|map| Affine2::new(map.linear, map.translation * lift)).collect();
+            if let Ok(large) = Ifs::new(maps) {
+                return Self::of(&large).lowered(lift);
+            }
+        }
         let contraction = ifs.contraction();
         let origin = contraction.centre;
         let (to, from) = (contraction.to_round, contraction.from_round);
@@ -38,12 +48,21 @@ impl Hull {
         let maps: Vec<Affine2> = ifs
             .maps()
             .iter()
-            .map(|map| Affine2::new(to * map.linear * from, to * (map.apply(origin) - origin) * (1.0 / unit)))
+            .map(|map| Affine2::new(to * map.linear * from, to * (map.apply(origin) - origin) / unit))
             .collect();
         let directions = Directions::new();
         let support = directions.settle(&maps, contraction.factor);
         let polygon = directions.polygon(&support);
         Self::around(polygon.into_iter().map(|p| origin + from * (p * unit)).collect())
+    }
+
+    fn lowered(self, lift: f64) -> Self {
+        Self {
+            vertices: self.vertices.into_iter().map(|vertex| vertex / lift).collect(),
+            centre: self.centre / lift,
+            radius: lowered(self.radius, lift),
+            diameter: lowered(self.diameter, lift),
+        }
     }
 
     /// The polygon of these corners, counter-clockwise.

@@ -28,6 +28,10 @@ impl Dimension for Dim2 {
     fn length(v: DVec2) -> f64 {
         v.length()
     }
+    #[inline]
+    fn size(v: DVec2) -> f64 {
+        v.abs().max_element()
+    }
 
     #[inline]
     fn determinant(m: DMat2) -> f64 {

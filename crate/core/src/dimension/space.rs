@@ -29,6 +29,10 @@ impl Dimension for Dim3 {
     fn length(v: DVec3) -> f64 {
         v.length()
     }
+    #[inline]
+    fn size(v: DVec3) -> f64 {
+        v.abs().max_element()
+    }
 
     #[inline]
     fn determinant(m: DMat3) -> f64 {

@@ -1,6 +1,6 @@
 //! Convex polygons around the states of a graph-directed system.
 
-use glam::DVec2;
+use glam::{DMat2, DVec2};
 
 use crate::bounds::hull2::{DIRECTIONS, Directions, Hull, Link, MOST_ROUNDS};
 use crate::directed::contraction::StateDisc;
@@ -28,9 +28,11 @@ impl Place {
 
     /// The map from the coordinates of `inner` to these.
     fn map(&self, map: Affine2, inner: &Self) -> Affine2 {
-        let linear = self.disc.to_round * map.linear * inner.disc.from_round * (inner.unit / self.unit);
-        let shift = self.disc.to_round * (map.apply(inner.origin) - self.origin) * (1.0 / self.unit);
-        Affine2::new(linear, shift)
+        // Divided last: of a state that is all but a point the inverse of its size is infinite.
+        let linear = self.disc.to_round * map.linear * inner.disc.from_round * inner.unit;
+        let shift = self.disc.to_round * (map.apply(inner.origin) - self.origin);
+        let [x, y] = [linear.x_axis, linear.y_axis].map(|column| column / self.unit);
+        Affine2::new(DMat2::from_cols(x, y), shift / self.unit)
     }
 
     fn to_plane(self, p: DVec2) -> DVec2 {

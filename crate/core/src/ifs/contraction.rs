@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use crate::dimension::{Dim2, Dim3, Dimension};
 use crate::error::{IfsError, MAX_MAPS};
 use crate::linear::affine::Affine;
+use crate::linear::transform::{lifting, lowered};
 
 /// A proof, up to rounding, that maps have an attractor: coordinates `y = to_round * x` and a finite set
 /// of blocks (words) in which all of them shrink distances by `factor` or less, and of which every
@@ -62,7 +63,7 @@ impl<D: Dimension> Contraction<D> {
         let plain = [D::IDENTITY; 2];
         let factor = worst_norm(maps, plain);
         if factor < 0.95 {
-            return Ok(Self::with_blocks(maps, plain, factor, 1));
+            return Self::with_blocks(maps, plain, factor, 1).ok_or(IfsError::Unproved);
         }
         // Single maps first: they settle most bad cases at once.
         let radii: Vec<f64> = maps.iter().map(|map| map.spectral_radius()).collect();
@@ -73,7 +74,7 @@ impl<D: Dimension> Contraction<D> {
         let round = D::rounding(&linear, factor, radii.into_iter().fold(0.0, f64::max));
         let factor = worst_norm(maps, round);
         if factor < SHRINKING_NORM {
-            return Ok(Self::with_blocks(maps, round, factor, 1));
+            return Self::with_blocks(maps, round, factor, 1).ok_or(IfsError::Unproved);
         }
         Self::search(maps, round)
     }
@@ -88,7 +89,7 @@ impl<D: Dimension> Contraction<D> {
         // NaN is refused, too.
         let room = 1.0 - factor;
         let fast = room >= LEAST_ROOM && room >= LEAST_ROOM_LEFT * (1.0 - other.factor);
-        (other.length == 1 && fast).then(|| Self::with_blocks(maps, round, factor, 1))
+        if other.length == 1 && fast { Self::with_blocks(maps, round, factor, 1) } else { None }
     }
 
     /// What [`Contraction::find`] says of maps that differ from those it was found for in their translations alone, at
@@ -96,18 +97,22 @@ impl<D: Dimension> Contraction<D> {
     #[must_use]
     pub fn moved(&self, maps: &[Affine<D>]) -> Option<Self> {
         check(maps).ok()?;
-        (self.length == 1).then(|| Self::with_blocks(maps, [self.to_round, self.from_round], self.factor, 1))
+        if self.length != 1 {
+            return None;
+        }
+        Self::with_blocks(maps, [self.to_round, self.from_round], self.factor, 1)
     }
 
+    /// `None` where no disc is known to hold the attractor: products of large numbers overflowed.
     fn with_blocks(
         blocks: &[Affine<D>],
         [to_round, from_round]: [D::Matrix; 2],
         factor: f64,
         length: usize,
-    ) -> Self {
+    ) -> Option<Self> {
         let mut this = Self { to_round, from_round, factor, length, centre: D::ZERO, radius: 0.0 };
         this.enclose(blocks);
-        this
+        (this.radius.is_finite() && Affine::<D>::moving(this.centre).is_finite()).then_some(this)
     }
 
     /// Gripenberg's search: a word is prolonged until its norm is below 1.
@@ -144,7 +149,7 @@ impl<D: Dimension> Contraction<D> {
                 open.push_back((block, area, off, letters));
             }
         }
-        Ok(Self::with_blocks(&blocks, [to, from], factor, length))
+        Self::with_blocks(&blocks, [to, from], factor, length).ok_or(IfsError::Unproved)
     }
 
     /// A disc that every block maps into itself. It holds the attractor of the blocks, which is that of the maps.
@@ -153,6 +158,10 @@ impl<D: Dimension> Contraction<D> {
     /// and hardly shrinks swings everything but its own fixed point far about.
     #[inline(never)]
     fn enclose(&mut self, blocks: &[Affine<D>]) {
+        let size = |block: &Affine<D>| D::size(block.translation);
+        let lift = lifting(blocks.iter().map(size).fold(0.0, f64::max));
+        let lifted = |block: &Affine<D>| Affine::new(block.linear, block.translation * lift);
+        let blocks: Vec<Affine<D>> = blocks.iter().map(lifted).collect();
         let fixed: Vec<D::Vector> = blocks.iter().filter_map(|block| block.fixed_point()).collect();
         let norms: Vec<f64> =
             blocks.iter().map(|block| D::norm(self.to_round * block.linear * self.from_round)).collect();
@@ -162,9 +171,12 @@ impl<D: Dimension> Contraction<D> {
                 // Rounded up, but not above what is known of all blocks.
                 shift / (1.0 - (norm * (1.0 + D::NORM_ERROR)).min(self.factor))
             };
-            blocks.iter().zip(&norms).map(reach).fold(0.0, f64::max)
+            // Where a number overflowed nothing is known: NaN must not be passed over.
+            let farther =
+                |most: f64, reach: f64| if reach.is_nan() { f64::INFINITY } else { most.max(reach) };
+            blocks.iter().zip(&norms).map(reach).fold(0.0, farther)
         };
-        let mean = fixed.iter().sum::<D::Vector>() / blocks.len() as f64;
+        let mean = fixed.iter().sum::<D::Vector>() / fixed.len().max(1) as f64;
         let mut best = (mean, radius(mean));
         for &centre in fixed.iter().take(MOST_CENTRES) {
             let tried = radius(centre);
@@ -172,7 +184,7 @@ impl<D: Dimension> Contraction<D> {
                 best = (centre, tried);
             }
         }
-        (self.centre, self.radius) = (best.0, best.1 * (1.0 + 1e-12));
+        (self.centre, self.radius) = (best.0 * (1.0 / lift), lowered(best.1 * (1.0 + 1e-12), lift));
     }
 }
 

@@ -87,6 +87,19 @@ pub(crate) fn power_of_two(x: f64) -> f64 {
     x.log2().floor().exp2()
 }
 
+/// What lengths of this size are multiplied by so that their squares do not vanish: a power of two, which costs no
+/// digit. 1 where they do not.
+pub(crate) fn lifting(size: f64) -> f64 {
+    /// 2^600: the least double above 0 becomes 2e-143.
+    const LIFT: f64 = f64::from_bits((1023 + 600) << 52);
+    if size > 0.0 && size < 1e-100 { LIFT } else { 1.0 }
+}
+
+/// A bound of a length that was lifted, in the units before.
+pub(crate) fn lowered(length: f64, lift: f64) -> f64 {
+    if lift == 1.0 || length == 0.0 { length } else { (length / lift).next_up() }
+}
+
 #[cfg(test)]
 mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};

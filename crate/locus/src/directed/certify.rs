@@ -9,6 +9,7 @@ use crate::directed::tied::tied;
 use crate::exact::address::Address;
 use crate::exact::quadratic::QuadraticSystem;
 use crate::exact::recognise;
+use crate::magnification::Magnification;
 use crate::verdict::{Options, Verdict};
 
 /// What was shown of all of a way from (0, 0) to (1, 1), both parameters alike.
@@ -199,6 +200,10 @@ fn walk(
 ) -> Vec<Option<f64>> {
     let count = morph.states().len();
     let mut open: Vec<Option<f64>> = vec![None; count];
+    // Of sizes whose squares vanish or overflow nothing is bounded.
+    if [0.0, 1.0].iter().any(|&t| Magnification::of_states(&morph.at(t, t)).is_some()) {
+        return vec![Some(0.0); count];
+    }
     let mut from = 0.0_f64;
     let mut step = 1.0 / 16.0;
     let mut work = 0_usize;

@@ -7,6 +7,7 @@ use crate::connectedness::connectedness;
 use crate::directed::extent::Extent;
 use crate::directed::nearest::{Edge, Nearest, Piece};
 use crate::directed::shared_points::{Arrows, Shared, closed};
+use crate::magnification::Magnification;
 use crate::overlap_graph::OverlapGraph;
 use crate::verdict::{Gap, Options, Verdict};
 
@@ -51,6 +52,24 @@ pub struct StateConnectedness {
     pub nodes: usize,
 }
 
+impl StateConnectedness {
+    /// What was found out about magnified maps, in the units of those that were given. What takes numbers for others is
+    /// dropped: it is about the magnified ones.
+    fn in_units_before(self, magnification: Magnification) -> Self {
+        let point = |p: DVec2| magnification.point(p);
+        let mut links = if self.assuming.is_empty() { self.links } else { Vec::new() };
+        links.iter_mut().for_each(|link| link.at = point(link.at));
+        Self {
+            gap: magnification.gap(self.gap),
+            closest: self.closest.map(|(p, q)| (point(p), point(q))),
+            links,
+            assuming: Vec::new(),
+            diameter: magnification.up(self.diameter),
+            ..self
+        }
+    }
+}
+
 /// Decides for each state of a graph-directed system whether it is in one piece.
 ///
 /// What is known, and what each verdict says (Hata 1985 for one system):
@@ -75,6 +94,12 @@ pub struct StateConnectedness {
 /// A system of one state is decided as its [`Ifs`] is, by [`connectedness`].
 #[must_use]
 pub fn directed_connectedness(system: &DirectedIfs, options: &Options) -> Vec<StateConnectedness> {
+    if let Some(magnification) = Magnification::of_states(system.states())
+        && let Ok(large) = DirectedIfs::found(magnification.magnify_states(system.states()))
+    {
+        let states = directed_connectedness(&large, options).into_iter();
+        return states.map(|state| state.in_units_before(magnification)).collect();
+    }
     if let [maps] = system.states()
         && let Ok(ifs) = Ifs::new(maps.iter().map(|part| part.map).collect())
     {

@@ -5,6 +5,7 @@ use glam::DVec2;
 
 use crate::directed::extent::Extent;
 use crate::gap::pairs::{Near, Pairs, Parts, Sight};
+use crate::verdict::Gap;
 
 /// A piece: the copy of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +39,8 @@ pub(crate) struct Edge {
 pub(crate) struct Nearest<'a> {
     pairs: Pairs<DVec2>,
     count: usize,
+    /// That of the state, at most.
+    diameter: f64,
     looking: Looking<'a>,
 }
 
@@ -74,14 +77,16 @@ impl<'a> Nearest<'a> {
                 }
             }
         }
-        Self { pairs, count, looking }
+        Self { pairs, count, diameter: extents[state].diameter, looking }
     }
 
-    /// Bounds of the widest edge, as [`Pairs::bracket`].
+    /// Bounds of the widest edge, as [`Pairs::bracket`]; nothing where these contradict each other.
     pub fn bracket(&mut self, resolution: f64, within: f64, budget: usize) -> Edge {
         let found = self.pairs.bracket(&mut self.looking, resolution, within, budget);
-        let ends = found.pair.map(|pair| self.pairs.near(pair).points);
-        Edge { lower: found.lower, upper: found.upper, ends }
+        let Some(Gap { lower, upper }) = found.gap(self.diameter) else {
+            return Edge { lower: 0.0, upper: f64::INFINITY, ends: None };
+        };
+        Edge { lower, upper, ends: found.pair.map(|pair| self.pairs.near(pair).points) }
     }
 
     /// Looks at one pair of pieces until it is known whether they come as near as `resolution`: whether they do.
@@ -128,7 +133,7 @@ impl Looking<'_> {
         let [inner_a, inner_b] = [first, second].map(|part| &self.extents[part.piece.from]);
         let middle = |map: Affine2, extent: &Extent| map.apply(extent.points[0]);
         let mut step = middle(b, inner_b) - middle(a, inner_a);
-        let (mut lower, mut depth) = (f64::NEG_INFINITY, 0.0_f64);
+        let (mut lower, mut depth, mut reach) = (f64::NEG_INFINITY, 0.0_f64, f64::INFINITY);
         for round in 0..DIRECTIONS_PER_PAIR {
             let normal = step.try_normalize().unwrap_or(DVec2::X);
             let (pulled_a, pulled_b) = (a.linear.transpose() * normal, -(b.linear.transpose() * normal));
@@ -142,9 +147,11 @@ impl Looking<'_> {
                 depth.max(1.0 + (along - far_a - far_b) / (first.size + second.size).max(f64::MIN_POSITIVE));
             let points = [a.apply(inner_a.farthest(pulled_a)), b.apply(inner_b.farthest(pulled_b))];
             let between = points[1] - points[0];
-            pairs.meet(pair, Near { reach: between.length() + 2.0 * self.off, points });
+            let distance = between.length() + 2.0 * self.off;
+            reach = reach.min(distance);
+            pairs.meet(pair, Near { reach: distance, points });
             if lower > pairs.near(pair).reach {
-                return;
+                break;
             }
             if round + 1 < DIRECTIONS_PER_PAIR {
                 // Towards the least point of the difference of the two (Frank & Wolfe 1956).
@@ -156,7 +163,7 @@ impl Looking<'_> {
                 step -= turn * (step.dot(turn) / size).clamp(0.0, 1.0);
             }
         }
-        let sight = Sight { lower, depth, size: first.size.max(second.size) };
+        let sight = Sight { lower, depth, size: first.size.max(second.size), reach };
         pairs.keep(pair, parts, &sight, self.off);
     }
 }

@@ -8,6 +8,7 @@ use crate::directed::connectedness::{Look, deeper};
 use crate::directed::extent::Extent;
 use crate::directed::shared_points::{Shared, closed};
 use crate::grid::{LocusGrid, Tile};
+use crate::magnification::Magnification;
 use crate::verdict::{Sample, State, Verdict};
 
 /// Pairs of pieces that are looked at for each state of a sample; of more than ten maps so many for each map.
@@ -49,7 +50,12 @@ pub fn directed_tile(
 
 fn sample(morph: &DirectedMorph, [u, v]: [f64; 2], epsilon: f64) -> Sample {
     let short = |x: f64| (PROOFS_PER_UNIT * x).fract() == 0.0;
-    match DirectedIfs::new(morph.at(u, v)) {
+    let states = morph.at(u, v);
+    let states = match Magnification::of_states(&states) {
+        Some(magnification) => magnification.magnify_states(&states),
+        None => states,
+    };
+    match DirectedIfs::new(states) {
         Ok(system) => of_shape(&system, epsilon, short(u) && short(v)),
         Err(DirectedError::Unproved | DirectedError::Ifs(IfsError::Unproved)) => {
             Sample { state: State::Undecided, gap: f32::NAN }

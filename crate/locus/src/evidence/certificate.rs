@@ -3,6 +3,7 @@
 use frond_core::{Affine2, Contraction, Ifs};
 use glam::DVec2;
 
+use crate::evidence::axis_scales::AxisScales;
 use crate::evidence::separate::{Descent, Separation};
 use crate::frame::Frame;
 use crate::gap::kruskal::KruskalSearch;
@@ -44,8 +45,9 @@ pub struct Certificate {
 }
 
 /// A certificate that the attractor is disconnected, or `None` if that is not proved: it takes the verdict
-/// [`Disconnected`](crate::Verdict::Disconnected) at these options, at most twice as many looks again, and a gap that
-/// shows beside rounding.
+/// [`Disconnected`](crate::Verdict::Disconnected) at these options, and a gap that shows beside rounding. As many looks
+/// are spent again at most twice, and where these do not suffice, as many as the default options allow. A shape that is
+/// stretched along an axis is also looked at in coordinates in which it is about as wide as high.
 ///
 /// ```
 /// use frond_core::{Affine2, Ifs};
@@ -90,7 +92,7 @@ fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Opt
     let side = cut(&search, maps.len(), &parts);
     let from = frame.from_round;
     let drawn = drawn(&frame, &support);
-    ATTEMPTS.iter().find_map(|attempt| {
+    let attempt = |attempt: &Attempt, budget: usize| {
         let frame = if attempt.drawn { drawn.as_ref()? } else { &frame };
         let polygon = TrappingPolygon::find(
             frame,
@@ -98,7 +100,7 @@ fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Opt
             attempt.slack,
             attempt.coarsest,
         )?;
-        let mut descent = Descent::new(frame, &polygon, options.budget / attempt.share);
+        let mut descent = Descent::new(frame, &polygon, budget / attempt.share);
         let across = (0..maps.len()).flat_map(|i| (0..maps.len()).map(move |j| (i, j)));
         let mut across = across.filter(|&(i, j)| side[i] == 0 && side[j] == 1);
         across.all(|(i, j)| descent.separate(i as u8, j as u8)).then(|| Certificate {
@@ -108,7 +110,23 @@ fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Opt
             side: side.clone(),
             pairs: descent.pairs,
         })
-    })
+    };
+    let within = |budget: usize| ATTEMPTS.iter().find_map(|way| attempt(way, budget));
+    // A polygon shows less than the shape itself: what took few looks may take many of it.
+    let more = Options::default().budget;
+    let again = || if options.budget < more { within(more) } else { None };
+    within(options.budget).or_else(|| stretched(maps, options)).or_else(again)
+}
+
+/// In coordinates in which a shape that is stretched along an axis is about as wide as high.
+fn stretched(maps: &[Affine2], options: &Options) -> Option<Certificate> {
+    let scales = AxisScales::of(maps)?;
+    let seen = scales.maps(maps)?;
+    let found = proved(&seen, &Contraction::find(&seen).ok()?, options)?;
+    let polygon = found.polygon.iter().map(|&corner| scales.point(corner)).collect::<Option<_>>()?;
+    let back = |pair: Separation| Some(Separation { normal: scales.normal(pair.normal)?, ..pair });
+    let pairs = found.pairs.into_iter().map(back).collect::<Option<_>>()?;
+    Some(Certificate { maps: maps.iter().copied().map(Affine2::to_row).collect(), polygon, pairs, ..found })
 }
 
 /// A way to try.

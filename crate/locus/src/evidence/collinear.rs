@@ -1,28 +1,37 @@
 //! Attractors that lie on a line.
 //!
 //! **Theorem.** Let all maps contract, and let the attractor A lie on a line. If the graph of the pairs (i, j) of
-//! which one piece has a point between two points of the other is connected, then A is connected.
+//! which one piece has a point between two points of the other, or at one of them, is connected, then A is connected.
 //!
-//! **Proof.** Suppose that the widest gap g of A (the widest edge of the minimum spanning tree of the distances
-//! between the pieces) is positive. A is connected in steps of g, as in [`trap`](crate::region::trap), and so is the
-//! piece `A_i` in steps of `|w_i| g`. On a line, a point between two points of `A_i` is then within `|w_i| g / 2 < g`
-//! of it. So the pairs of the graph are nearer than g, and as the graph is connected, no gap is as wide as g: a
-//! contradiction.
+//! **Proof.** The hulls of the pieces are segments, and those of such a pair have a common point: so all of them
+//! together are the hull of A. Suppose that the widest hole of A in it is g wide, and g > 0. A point of this hole lies
+//! in the hull of a piece `A_i`, and so in a hole of `A_i`. This is at most `|w_i| g < g` wide; but no point of A is in
+//! the widest hole, so that the ends of the other, which are points of A, lie beyond: a contradiction.
 
 use frond_core::Affine2;
 use glam::DVec2;
 
+use crate::exact::address::Address;
 use crate::overlap_graph::Components;
-use crate::region::trap::Crossing;
 
 /// What rounding may take from a point, relative to the line's extent, where the maps contract well.
 const POINT_ROUNDING: f64 = 1e-13;
 /// Rounds for the ends of the attractor, which need not be found to the last digit.
 const MOST_ROUNDS_FOR_ENDS: usize = 2000;
 
-/// Pieces on one of the axes that reach past each other, beside those that are known to meet: enough to reach every
-/// piece.
-pub(crate) fn overlaps_on_a_line(met: &[(usize, usize)], maps: &[Affine2]) -> Option<Vec<Crossing>> {
+/// Two pieces that overlap on a line.
+#[derive(Clone, Debug)]
+pub(crate) struct Overlap {
+    /// Two maps, the smaller index first.
+    pub pair: [usize; 2],
+    /// Two points of one of the pieces, and one of the other between them.
+    pub addresses: [Address; 3],
+    /// The ends of both pieces.
+    pub corners: [DVec2; 4],
+}
+
+/// Pieces on one of the axes that overlap, beside those that are known to meet: enough to reach every piece.
+pub(crate) fn overlaps_on_a_line(met: &[(usize, usize)], maps: &[Affine2]) -> Option<Vec<Overlap>> {
     // Exactly: a number more that is not 0, and the line is left.
     let stays = |axis: usize| {
         maps.iter().all(|map| {
@@ -50,10 +59,16 @@ pub(crate) fn overlaps_on_a_line(met: &[(usize, usize)], maps: &[Affine2]) -> Op
         (low, high) = (least, most);
     }
     let rounding = POINT_ROUNDING * (low.abs() + high.abs()) / (1.0 - factor);
+    let [lowest, highest] = addresses_of_ends(&line, [low, high])?;
+    // The ends of a piece with their addresses, the lower one first.
     let reach = |i: usize| {
         let (scale, shift) = line[i];
-        let ends = [scale * low + shift, scale * high + shift];
-        [ends[0].min(ends[1]), ends[0].max(ends[1])]
+        let of = |x: f64, end: &Address| {
+            let head = [&[i as u8], &end.head[..]].concat();
+            Address::new(head, end.repeat.clone()).map(|address| (scale * x + shift, address))
+        };
+        let [p, q] = [of(low, &lowest)?, of(high, &highest)?];
+        Some(if p.0 <= q.0 { [p, q] } else { [q, p] })
     };
     let mut components = Components::new(maps.len());
     for &(i, j) in met {
@@ -62,15 +77,35 @@ pub(crate) fn overlaps_on_a_line(met: &[(usize, usize)], maps: &[Affine2]) -> Op
     let mut found = Vec::new();
     for i in 0..maps.len() {
         for j in i + 1..maps.len() {
-            let ([a, b], [c, d]) = (reach(i), reach(j));
-            if b.min(d) - a.max(c) > rounding && components.join(i, j) {
+            let ([a, b], [c, d]) = (reach(i)?, reach(j)?);
+            if b.0.min(d.0) - a.0.max(c.0) > rounding && components.join(i, j) {
                 let place = |x: f64| if axis == 0 { DVec2::new(x, 0.0) } else { DVec2::new(0.0, x) };
-                let corners = [a, b, c, d].map(place);
-                found.push(Crossing { i, j, u: vec![i as u8], v: vec![j as u8], corners });
+                let corners = [a.0, b.0, c.0, d.0].map(place);
+                // Of two segments that overlap one begins in the other.
+                let three = if a.0 <= c.0 { [a, b, c] } else { [c, d, a] };
+                found.push(Overlap { pair: [i, j], addresses: three.map(|(_, address)| address), corners });
             }
         }
     }
     (components.count() == 1).then_some(found)
+}
+
+/// The addresses of the ends of an attractor on a line: each is the image of one of the two.
+fn addresses_of_ends(line: &[(f64, f64)], ends: [f64; 2]) -> Option<[Address; 2]> {
+    let images =
+        || (0..line.len()).flat_map(|k| [0, 1].map(|end| (line[k].0 * ends[end] + line[k].1, k as u8, end)));
+    let (_, first, of_first) = images().min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (_, last, of_last) = images().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let address = |own: usize, letter: u8, of: usize, other: u8, of_other: usize| {
+        if of == own {
+            Address::new(Vec::new(), vec![letter])
+        } else if of_other == of {
+            Address::new(vec![letter], vec![other])
+        } else {
+            Address::new(Vec::new(), vec![letter, other])
+        }
+    };
+    Some([address(0, first, of_first, last, of_last)?, address(1, last, of_last, first, of_first)?])
 }
 
 #[cfg(test)]

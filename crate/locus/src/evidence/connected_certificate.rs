@@ -3,10 +3,13 @@
 use frond_core::{Affine2, Contraction, Ifs};
 use glam::DVec2;
 
+use crate::evidence::axis_scales::AxisScales;
+use crate::evidence::collinear::overlaps_on_a_line;
 use crate::evidence::far_parts::{Far, FarParts};
 use crate::evidence::reason::Points;
 use crate::exact::address::Address;
 use crate::exact::area;
+use crate::exact::quadratic::QuadraticSystem;
 use crate::frame::Frame;
 use crate::gap::difference_set::are_equal;
 use crate::gap::kruskal::KruskalSearch;
@@ -68,6 +71,9 @@ pub enum CertifiedLink {
     Point([[Vec<u8>; 2]; 2]),
     /// The areas of the pieces of two maps.
     Area([u8; 2]),
+    /// Two points of one piece and one of another that lies between them, where the attractor lies on a line: their
+    /// addresses, what comes once and what repeats.
+    Between([[Vec<u8>; 2]; 3]),
     /// Two maps i and j, copies of one shape moved by the difference of two of its points: steps `x -> L^-1 (x - (t_k -
     /// t_l))` lead from `L^-1 (t_j - t_i)` into the squares.
     Difference([u8; 2], Vec<[u8; 2]>),
@@ -77,8 +83,9 @@ pub enum CertifiedLink {
 }
 
 /// A certificate that the attractor is connected, or `None` if none was found: of maps whose pieces share points as
-/// the numbers are given, overlap in area, lie across each other, or are copies of one shape and direction that are
-/// moved by differences of its points. Proofs about what numbers are meant to be are not written down as certificates.
+/// the numbers are given, overlap in area or on an axis, lie across each other, or are copies of one shape and
+/// direction that are moved by differences of its points; and of those whose attractor is one point. Proofs about what
+/// numbers are meant to be are not written down as certificates.
 ///
 /// ```
 /// use frond_core::{Affine2, Ifs};
@@ -119,11 +126,38 @@ const TRIES: usize = 3000;
 /// Pairs of maps that are looked at for points.
 const MOST_PAIRS: usize = 400;
 
+/// In coordinates in which a shape that is stretched along an axis is about as wide as high.
+fn stretched(maps: &[Affine2], options: &Options) -> Option<ConnectedCertificate> {
+    let scales = AxisScales::of(maps)?;
+    let seen = scales.maps(maps)?;
+    let mut found = proved(&seen, &Contraction::find(&seen).ok()?, options)?;
+    for link in &mut found.links {
+        if let CertifiedLink::Crossing(_, far) = link {
+            for far in far {
+                far.direction = scales.normal(far.direction)?;
+            }
+        }
+    }
+    if let Some(squares) = &mut found.squares {
+        squares.size = scales.point(squares.size)?;
+    }
+    let polygon = found.polygon.iter().map(|&corner| scales.point(corner)).collect::<Option<_>>()?;
+    Some(ConnectedCertificate { maps: rows(maps), polygon, ..found })
+}
+
 fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Option<ConnectedCertificate> {
+    proved_as_is(maps, contraction, options).or_else(|| stretched(maps, options))
+}
+
+fn proved_as_is(
+    maps: &[Affine2],
+    contraction: &Contraction,
+    options: &Options,
+) -> Option<ConnectedCertificate> {
     let mut frame = Frame::default();
     frame.set_round(maps, contraction);
     if frame.point {
-        return None;
+        return one_point(maps, contraction);
     }
     let mut support = SupportTable::default();
     support.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
@@ -154,6 +188,14 @@ fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Opt
             }
         }
     }
+    for overlap in if joined.is_connected() { None } else { overlaps_on_a_line(&joined.edges(), maps) }
+        .into_iter()
+        .flatten()
+    {
+        let [i, j] = overlap.pair;
+        joined.add(i, j);
+        links.push(CertifiedLink::Between(overlap.addresses.map(|Address { head, repeat }| [head, repeat])));
+    }
     let squares = if joined.is_connected() || !are_equal(maps) {
         None
     } else {
@@ -181,6 +223,28 @@ fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Opt
         let parts = FarParts::new(&frame, &polygon);
         (crossings.is_empty() || found.add_crossings(&parts, &near, &crossings, attempt.size))
             .then_some(found)
+    })
+}
+
+/// Of maps that all leave one point where it is, which is then the attractor: one map, equal maps, and others.
+fn one_point(maps: &[Affine2], contraction: &Contraction) -> Option<ConnectedCertificate> {
+    let fixed = |i: usize| Address { head: vec![], repeat: vec![i as u8] };
+    let system = QuadraticSystem::as_given(maps)?;
+    if !(1..maps.len()).all(|i| system.coincide(&fixed(0), &fixed(i))) {
+        return None;
+    }
+    let link = |i: usize| CertifiedLink::Point([0, i].map(|k| [vec![], vec![k as u8]]));
+    let mut frame = Frame::default();
+    frame.set_about_point(maps, contraction);
+    let attempt = |attempt: &Attempt| TrappingPolygon::find(&frame, 1.0, attempt.slack, attempt.coarsest);
+    let polygon = ATTEMPTS.iter().find_map(attempt).filter(|polygon| polygon.letters == 1)?;
+    Some(ConnectedCertificate {
+        maps: rows(maps),
+        polygon: polygon.plane,
+        gap: 1.0,
+        near: Vec::new(),
+        links: (1..maps.len()).map(link).collect(),
+        squares: None,
     })
 }
 

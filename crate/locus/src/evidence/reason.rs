@@ -3,7 +3,7 @@
 use frond_core::Affine2;
 use glam::DVec2;
 
-use crate::evidence::collinear::overlaps_on_a_line;
+use crate::evidence::collinear::{Overlap, overlaps_on_a_line};
 use crate::evidence::neighbour_graph::NeighbourGraph;
 use crate::evidence::shared_points::{Shared, corners};
 use crate::exact::address::{Address, shown};
@@ -25,6 +25,8 @@ pub enum LinkKind {
     Point,
     /// Two paths that must cross.
     Crossing,
+    /// Two segments, which hold the pieces, on the line that the attractor lies on.
+    Line,
     /// Too much area to lie side by side.
     Area,
     /// Copies of one shape and direction, moved by what surely is the difference of two of its points.
@@ -38,6 +40,7 @@ impl LinkKind {
         match self {
             Self::Point => "point",
             Self::Crossing => "crossing",
+            Self::Line => "line",
             Self::Area => "area",
             Self::Difference => "difference",
         }
@@ -56,7 +59,8 @@ pub struct Link {
     pub words: [String; 2],
     /// The shared point, to rounding, the middle of the crossing, or where the pieces come near; in the plane.
     pub at: DVec2,
-    /// Of a crossing: two far points of the first piece, then two of the second. Otherwise empty.
+    /// Of a crossing: two far points of the first piece, then two of the second. On a line: the ends of both. Otherwise
+    /// empty.
     pub corners: Vec<DVec2>,
 }
 
@@ -128,6 +132,18 @@ impl Reason {
                     others => format!("{text} {others} other pairs share points."),
                 }
             }
+            ReasonKind::Line => {
+                let link = self.links.iter().find(|link| link.kind == LinkKind::Line);
+                let [a, b] = link.map(|link| link.words.clone()).unwrap_or_default();
+                let pieces = match count(LinkKind::Line) {
+                    1 => format!("the pieces {a} and {b} overlap there"),
+                    count => format!("{count} pairs of pieces overlap there, such as {a} and {b}"),
+                };
+                format!(
+                    "The shape lies on a line, and {pieces}. The widest hole of the shape would lie within a piece, whose \
+                     holes are narrower: so there is none."
+                )
+            }
             ReasonKind::Differences => {
                 let text = "The pieces are copies of one shape, turned and shrunk alike. Two such copies meet just if the \
                             step from one to the other is the difference of two points of such a copy: enough of these \
@@ -170,6 +186,22 @@ pub(crate) fn one_point(maps: &[Affine2]) -> Option<Reason> {
     Some(Reason { assuming: reading.assuming, ..reason })
 }
 
+/// A proof for an attractor that lies on an axis, beside points that are shared.
+pub(crate) fn by_line(maps: &[Affine2], shared: &[Link]) -> Option<Reason> {
+    let met: Vec<(usize, usize)> = shared.iter().map(|link| link.pair).collect();
+    let overlaps =
+        overlaps_on_a_line(&met, maps)?.into_iter().map(|Overlap { pair: [i, j], corners, .. }| {
+            let words = [i, j].map(|letter| shown(&[letter as u8], maps.len()));
+            let [a, b, c, d] = corners;
+            // The middle of what both hold: ends are in their order.
+            let at = a.max(c).midpoint(b.min(d));
+            Link { kind: LinkKind::Line, pair: (i, j), words, at, corners: corners.to_vec() }
+        });
+    let mut links: Vec<Link> = overlaps.chain(shared.iter().cloned()).collect();
+    links.sort_by_key(|link| link.pair);
+    Some(Reason { links, ..Reason::of(ReasonKind::Line) })
+}
+
 /// A proof by pieces that lie across each other, beside points that are shared, where no gap is known to be wider
 /// than `gap` (in the plane). `near` is where two pieces come near each other.
 pub(crate) fn by_crossings(
@@ -179,7 +211,7 @@ pub(crate) fn by_crossings(
     near: impl Fn(usize, usize) -> DVec2,
 ) -> Option<Reason> {
     let met: Vec<(usize, usize)> = shared.iter().map(|link| link.pair).collect();
-    let found = overlaps_on_a_line(&met, maps).or_else(|| crossings_beside(&met, maps, gap, 0.0, TRIES))?;
+    let found = crossings_beside(&met, maps, gap, 0.0, TRIES)?;
     let crossings = found.into_iter().map(|crossing| {
         let corners = crossing.corners.to_vec();
         Link {

@@ -6,6 +6,7 @@ use std::collections::BinaryHeap;
 use frond_core::Total;
 
 use crate::gap::spanning_tree::SpanningTree;
+use crate::verdict::Gap;
 
 /// A pair of parts of two pieces that may hold their two nearest points: a lower bound of their distance, where it is
 /// positive, otherwise the less the deeper they overlap; and the parts, which ties go by.
@@ -29,6 +30,15 @@ pub(crate) struct Widest {
     pub pair: Option<usize>,
 }
 
+impl Widest {
+    /// The same as an answer about a shape of at most this diameter; `None` where no shape has such a gap. No two
+    /// points are farther apart than the diameter, whatever rounding may add.
+    pub fn gap(self, diameter: f64) -> Option<Gap> {
+        let upper = if self.upper.is_finite() { self.upper.min(diameter) } else { self.upper };
+        Some(Gap { lower: self.lower, upper }).filter(|gap| gap.is_possible(diameter))
+    }
+}
+
 /// What is seen of two parts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sight {
@@ -38,6 +48,8 @@ pub(crate) struct Sight {
     pub depth: f64,
     /// The larger of their sizes.
     pub size: f64,
+    /// The distance of two points in them, with what rounding may add.
+    pub reach: f64,
 }
 
 /// What knows the parts of pieces, by number.
@@ -56,6 +68,8 @@ pub(crate) struct Pairs<V> {
     /// A lower bound of the distances in pairs that are too small to be split.
     floor: Vec<f64>,
     tree: SpanningTree,
+    /// Whether two parts were seen to be farther apart than points in them: some bound is wrong, and nothing is said.
+    contradicted: bool,
     /// Pairs of parts looked at.
     pub nodes: usize,
 }
@@ -63,7 +77,8 @@ pub(crate) struct Pairs<V> {
 impl<V> Default for Pairs<V> {
     fn default() -> Self {
         let (open, near, floor) = (Vec::new(), Vec::new(), Vec::new());
-        Self { count: 0, open, near, floor, tree: SpanningTree::default(), nodes: 0 }
+        let tree = SpanningTree::default();
+        Self { count: 0, open, near, floor, tree, contradicted: false, nodes: 0 }
     }
 }
 
@@ -73,6 +88,7 @@ impl<V: Copy + Default> Pairs<V> {
         let pairs = count * count;
         self.count = count;
         self.nodes = 0;
+        self.contradicted = false;
         self.open.iter_mut().for_each(BinaryHeap::clear);
         self.open.resize_with(pairs, BinaryHeap::new);
         self.near.clear();
@@ -96,7 +112,8 @@ impl<V: Copy + Default> Pairs<V> {
     /// Keeps two parts if they may hold the two nearest points of their pieces. `off` is how far computed points may be
     /// off: what is smaller is a point, as far as floating point tells.
     pub fn keep(&mut self, pair: usize, [u, v]: [u32; 2], sight: &Sight, off: f64) {
-        let &Sight { lower, depth, size } = sight;
+        let &Sight { lower, depth, size, reach } = sight;
+        self.contradicted |= lower > reach || lower.is_nan();
         let near = &mut self.near[pair];
         let key = if lower > 0.0 { lower } else { depth.clamp(0.0, 1.0) - 1.0 };
         if key > near.reach {
@@ -124,6 +141,11 @@ impl<V: Copy + Default> Pairs<V> {
         within: f64,
         budget: usize,
     ) -> Widest {
+        let found = self.search(parts, resolution, within, budget);
+        if self.contradicted { Widest { lower: 0.0, upper: f64::INFINITY, pair: None } } else { found }
+    }
+
+    fn search(&mut self, parts: &mut impl Parts<V>, resolution: f64, within: f64, budget: usize) -> Widest {
         let mut fresh = true;
         let mut widest = Widest { lower: 0.0, upper: f64::INFINITY, pair: None };
         if self.count < 2 {
@@ -159,7 +181,7 @@ impl<V: Copy + Default> Pairs<V> {
             && self.nodes < budget
             && self.refine(parts, pair)
         {}
-        self.near[pair].reach <= resolution
+        self.near[pair].reach <= resolution && !self.contradicted
     }
 
     /// A lower bound of the distance of two pieces; negative or 0 where they may meet.
@@ -206,5 +228,37 @@ impl<V: Copy + Default> Pairs<V> {
         let Some(Reverse((_, u, v))) = self.open[pair].pop() else { return false };
         parts.split(self, pair, [u, v]);
         true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Parts that are never split.
+    struct Whole;
+
+    impl Parts<f64> for Whole {
+        fn split(&mut self, _: &mut Pairs<f64>, _: usize, _: [u32; 2]) {}
+    }
+
+    /// Two pieces of which this is seen, with points at the distance `reach`.
+    fn bracketed(lower: f64, reach: f64) -> Option<Gap> {
+        let mut pairs = Pairs::default();
+        pairs.begin(2);
+        pairs.meet(1, Near { reach, points: [0.0, reach] });
+        pairs.keep(1, [0, 1], &Sight { lower, depth: 0.0, size: 1.0, reach }, 1e-12);
+        pairs.bracket(&mut Whole, 1e-6, 0.01, 100).gap(1.0)
+    }
+
+    #[test]
+    fn pieces_that_are_farther_apart_than_points_in_them_say_nothing() {
+        assert_eq!(bracketed(0.3, 0.301), Some(Gap { lower: 0.3, upper: 0.301 }));
+        for (lower, reach) in [(0.7, 9e-14), (0.7, 0.3), (f64::INFINITY, 0.3), (f64::NAN, 0.3)] {
+            assert_eq!(bracketed(lower, reach), None, "{lower} {reach}");
+        }
+        // No two points are farther apart than the diameter.
+        let wide = Widest { lower: 0.3, upper: 5.0, pair: None };
+        assert_eq!(wide.gap(1.0), Some(Gap { lower: 0.3, upper: 1.0 }));
     }
 }

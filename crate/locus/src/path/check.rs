@@ -40,7 +40,7 @@ pub struct PathCheck {
 }
 
 /// Decides `samples` parameters (u, v, w) spread evenly along a path, both ends included, and reports where it
-/// breaks. A path of no points holds.
+/// breaks. Of no points nothing is known, and so they do not hold.
 #[must_use]
 pub fn check_path(morph: &Morph, points: &[DVec3], epsilon: f64, samples: usize) -> PathCheck {
     judge(morph, points, epsilon, samples, |_| ())
@@ -54,10 +54,10 @@ pub(crate) fn judge<P: Parameters>(
     samples: usize,
     mut tell: impl FnMut(DVec3),
 ) -> PathCheck {
-    let mut check = PathCheck { gap: 0.0, holds: true, breaks: Vec::new(), worst: None };
     if points.is_empty() {
-        return check;
+        return PathCheck { gap: f64::INFINITY, holds: false, breaks: Vec::new(), worst: None };
     }
+    let mut check = PathCheck { gap: 0.0, holds: true, breaks: Vec::new(), worst: None };
     let samples = samples.max(2);
     let half = 0.5 / (samples - 1) as f64;
     let mut memory = P::Memory::default();

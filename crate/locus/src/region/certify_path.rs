@@ -21,7 +21,8 @@ pub struct CertifyOptions {
     /// The most boxes to look at. On average no more than 1000 pairs of pieces are looked at in each: where it takes
     /// more, fewer boxes are looked at.
     pub budget: usize,
-    /// Where the stretch begins and ends, as fractions of the length of the path in (u, v, w).
+    /// Where the stretch begins and ends, as fractions of the length of the path in (u, v, w): what is beyond the path
+    /// is left out. Where both are the same it is one moment.
     pub t0: f64,
     /// See `t0`.
     pub t1: f64,
@@ -51,6 +52,22 @@ pub struct PathCertificate {
     /// How many joints of pieces the bound rests on: in a linear morph between two chains of pieces with the same ends
     /// they stay joined on the whole straight way ([`frond_core::joints`]). 0 where it rests on boxes.
     pub joints: usize,
+}
+
+impl CertifyOptions {
+    /// What of the stretch lies on the path, from 0 to 1; `None` where it is none.
+    #[must_use]
+    pub fn stretch(&self) -> Option<(f64, f64)> {
+        let Self { t0, t1, .. } = *self;
+        // NaN is none of these.
+        (t0 <= t1 && t0 <= 1.0 && t1 >= 0.0).then_some((t0.max(0.0), t1.min(1.0)))
+    }
+}
+
+impl PathCertificate {
+    /// What is proved of nothing.
+    const NOTHING: Self =
+        Self { gap: f64::INFINITY, holds: false, boxes: 0, worst: 0.0, complete: false, joints: 0 };
 }
 
 /// A piece of a leg, and what is proved of it.
@@ -104,11 +121,17 @@ const STRAY_TO_LOOK_LONG: f64 = 0.01;
 /// A segment is connected throughout by pieces that cross ([`crossings`](crate::crossings)), or bounded by pairs of
 /// points that stay near each other. Both are proofs about all its parameters, with rounding reckoned with. Where the
 /// shapes just touch, as at the end of many a morph, no segment is proved connected, and the bound shrinks with their
-/// lengths. A path of no points holds. Where pieces stay joined end to end, that says more than any segment.
+/// lengths. Where pieces stay joined end to end, that says more than any segment.
+///
+/// Nothing is proved of a path of no points, nor of what is no stretch of it: where `t0` is above `t1`, both are beyond
+/// the same end of the path, or one is NaN. Then the gap is infinite.
 #[must_use]
 pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -> PathCertificate {
+    let Some((t0, t1)) = options.stretch().filter(|_| !points.is_empty()) else {
+        return PathCertificate::NOTHING;
+    };
     if let Some((gap, joints)) = joint_bound(morph, points).filter(|&(gap, _)| gap <= options.within) {
-        return PathCertificate { gap, holds: true, boxes: 0, worst: options.t0, complete: true, joints };
+        return PathCertificate { gap, holds: true, boxes: 0, worst: t0, complete: true, joints };
     }
     let motions = Motions::of(morph);
     let legs: Vec<Leg<'_>> = match points {
@@ -119,8 +142,7 @@ pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -
     let lengths: Vec<f64> = legs.iter().map(|leg| leg.from.distance(leg.to)).collect();
     let total: f64 = lengths.iter().sum();
     if !total.is_finite() {
-        let gap = f64::INFINITY;
-        return PathCertificate { gap, holds: false, boxes: 0, worst: 0.0, complete: false, joints: 0 };
+        return PathCertificate::NOTHING;
     }
     let mut work = Work {
         legs,
@@ -143,39 +165,30 @@ pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -
             start
         })
         .collect();
-    for (leg, (&start, &length)) in starts.iter().zip(&lengths).enumerate() {
-        // The part of the leg that belongs to the stretch; all of a leg of no length, if it lies within.
-        let part = |t: f64| ((t.clamp(0.0, 1.0) * total - start) / length).clamp(0.0, 1.0);
-        let (from, to) = if length > 0.0 { (part(options.t0), part(options.t1)) } else { (0.0, 1.0) };
-        let touches = from < to || length == 0.0 || total == 0.0;
-        if touches && (length > 0.0 || legs_without_length(&lengths)) {
-            cover.push(work.look(Segment::new(leg, from, to)).ranked());
-        }
+    // The part of each leg that belongs to the stretch; one of no length is a point of those beside it.
+    let part = |leg: usize, t: f64| {
+        let length = lengths[leg];
+        if length > 0.0 { ((t * total - starts[leg]) / length).clamp(0.0, 1.0) } else { 0.0 }
+    };
+    let parts = (0..lengths.len()).map(|leg| Segment::new(leg, part(leg, t0), part(leg, t1)));
+    cover.extend(parts.filter(|part| part.from < part.to).map(|part| work.look(part).ranked()));
+    if cover.is_empty() {
+        // One moment, on the first leg that goes as far.
+        let reaches = |&leg: &usize| t0 * total <= starts[leg] + lengths[leg];
+        let leg = (0..lengths.len()).find(reaches).unwrap_or(lengths.len() - 1);
+        cover.push(work.look(Segment::new(leg, part(leg, t0), part(leg, t0))).ranked());
     }
     let complete = work.shrink(&mut cover, options.budget);
-    let Some(&Ranked { item: worst, .. }) = cover.peek() else {
-        return PathCertificate {
-            gap: 0.0,
-            holds: true,
-            boxes: 0,
-            worst: options.t0,
-            complete: true,
-            joints: 0,
-        };
-    };
+    let Some(&Ranked { item: worst, .. }) = cover.peek() else { return PathCertificate::NOTHING };
     let at = starts[worst.leg] + lengths[worst.leg] * worst.from.midpoint(worst.to);
     PathCertificate {
         gap: worst.gap,
-        holds: worst.gap <= work.within,
+        holds: worst.gap.is_finite() && worst.gap <= work.within,
         boxes: cover.len(),
-        worst: if total > 0.0 { at / total } else { 0.0 },
-        complete,
+        worst: if total > 0.0 { at / total } else { t0 },
+        complete: complete && worst.gap.is_finite(),
         joints: 0,
     }
-}
-
-fn legs_without_length(lengths: &[f64]) -> bool {
-    lengths.iter().all(|&length| length == 0.0)
 }
 
 struct Work<'a> {

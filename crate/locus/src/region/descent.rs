@@ -113,6 +113,8 @@ pub(crate) struct Descent<const L: usize> {
 
 /// Directions tried on a pair.
 const DIRECTIONS_PER_PAIR: usize = 2;
+/// The square of a direction has all its digits from here on.
+const LEAST_SQUARE: f64 = 1e-290;
 
 impl<const L: usize> Descent<L> {
     /// Starts on a box; `false` if nothing can be said of it as a whole.
@@ -277,6 +279,10 @@ impl<const L: usize> Descent<L> {
             Sight { apart: 0.0, overlap: f64::INFINITY, reach: f64::INFINITY, near: f64::INFINITY };
         for round in 0..DIRECTIONS_PER_PAIR {
             let normal = step;
+            // The square of a shorter one has lost digits: it shows nothing.
+            if normal.length_squared() < LEAST_SQUARE {
+                return best;
+            }
             let (mut apart, mut middles, mut reaches) = (f64::INFINITY, 0.0, 0.0);
             let (mut far_a, mut far_b) = (0, 0);
             for l in 0..L {

@@ -141,6 +141,9 @@ const EFFORT_TO_CROSS: Effort = Effort { looks: 80, tries: 150, near: 2e-3 };
 /// them in vain as on the samples.
 const LOOKS_PER_SAMPLE: f64 = 3.0;
 const MOST_DEBT: f64 = 4000.0;
+/// How far what is proved of a box may be above what is said of its corners: twice, and a tenth for the diameters that
+/// both are relative to, which are bounds.
+const MOST_OVER_CORNERS: f64 = 2.2;
 /// Where points move farther than this over a box, in parts of the attractor's size, no crossing is likely to last.
 const LARGEST_STRAY: f64 = 0.03;
 
@@ -269,7 +272,11 @@ impl BoxFill<'_> {
         } else {
             self.apart(extent, narrowest, self.looks_for(open))
         };
-        let Some(proved) = proved.filter(|&proved| proved > self.epsilon) else { return false };
+        // No gap is more than twice the middle of its bounds: more than that contradicts a corner, and nothing is said.
+        let most = MOST_OVER_CORNERS * narrowest;
+        let Some(proved) = proved.filter(|&proved| proved > self.epsilon && proved <= most) else {
+            return false;
+        };
         self.cover(area, State::Disconnected, |x, y| shade(x, y).max(proved) as f32);
         true
     }

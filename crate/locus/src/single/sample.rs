@@ -88,8 +88,12 @@ pub(super) fn decide(columns: &[SingleMap], rows: &[SingleMap], epsilon: f32) ->
     if coarsest.whole(count) {
         return (UNDECIDED, descent.looks);
     }
-    let gap = measure(&mut descent, &mut edges, groups);
-    (Sample { state: State::Disconnected, gap: gap / diameter }, descent.looks)
+    let gap = measure(&mut descent, &mut edges, groups).map(|gap| gap / diameter);
+    // NaN is not in the range.
+    match gap.filter(|gap| (0.0..=1.0).contains(gap)) {
+        Some(gap) => (Sample { state: State::Disconnected, gap }, descent.looks),
+        None => (UNDECIDED, descent.looks),
+    }
 }
 
 /// The pairs `i < j` with their numbers.
@@ -206,8 +210,8 @@ fn settle(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: &mut Groups)
 }
 
 /// The widest gap, in the frame: the middle of a lower and an upper bound of the widest edge of the minimum spanning
-/// tree.
-fn measure(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: Groups) -> f32 {
+/// tree. `None` where these contradict each other.
+fn measure(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: Groups) -> Option<f32> {
     let maps = descent.maps;
     let limit = descent.looks + LOOKS_TO_MEASURE;
     let mut above;
@@ -228,7 +232,8 @@ fn measure(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: Groups) -> 
         }
         edges[k].state = Known::Measured;
     }
-    0.5 * (above + widest(maps.len(), edges, groups, true))
+    let below = widest(maps.len(), edges, groups, true);
+    (below <= above + descent.margin).then_some(0.5 * (above + below))
 }
 
 /// The widest edge of the minimum spanning tree by lower or by upper bounds, pieces of one component at no distance.

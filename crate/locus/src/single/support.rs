@@ -15,6 +15,9 @@ const SUPPORT_ERROR: f32 = 32.0 * ULP;
 /// Cosine of half the widest angle between neighbouring directions.
 const HALF_STEP_COSINE: f32 = 0.992_507_5;
 
+/// A graphics card may take numbers below this for 0.
+const SMALLEST_LENGTH: f32 = 1e-37;
+
 /// A map: the rows of its matrix, and its translation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Map {
@@ -68,8 +71,8 @@ fn locate(d: Vec2) -> Place {
     let large = if steep { d.y } else { d.x };
     let small = if steep { -d.x } else { d.y };
     let length = large.abs();
-    // The zero vector lies in any sector, at length 0.
-    let slope = if length > 0.0 { small / large } else { 0.0 };
+    // The zero vector lies in any sector, at length 0; so does what a graphics card may take for it.
+    let slope = if length >= SMALLEST_LENGTH { small / large } else { 0.0 };
     let along = slope * (DIRECTIONS_A_SIDE as f32 / 2.0) + (DIRECTIONS_A_SIDE as f32 / 2.0);
     let sector = along.floor().clamp(0.0, DIRECTIONS_A_SIDE as f32 - 1.0);
     // The sides in their order: right, top, left, bottom.

@@ -130,7 +130,7 @@ impl Looking<'_> {
         if step == DVec3::ZERO {
             step = DVec3::X;
         }
-        let (mut lower, mut depth) = (f64::NEG_INFINITY, 0.0_f64);
+        let (mut lower, mut depth, mut reach) = (f64::NEG_INFINITY, 0.0_f64, f64::INFINITY);
         for round in 0..DIRECTIONS_PER_PAIR {
             // The direction is about that of `step` in space, and a form on the frame.
             let normal = frame.metric * step;
@@ -149,9 +149,11 @@ impl Looking<'_> {
             depth = depth.max(along / reaches.max(f64::MIN_POSITIVE));
             let points = [a.apply(point_a), b.apply(point_b)];
             let between = points[1] - points[0];
-            pairs.meet(pair, Near { reach: (frame.linear * between).length() + 2.0 * off, points });
+            let distance = (frame.linear * between).length() + 2.0 * off;
+            reach = reach.min(distance);
+            pairs.meet(pair, Near { reach: distance, points });
             if lower > pairs.near(pair).reach {
-                return;
+                break;
             }
             if round + 1 < DIRECTIONS_PER_PAIR {
                 // Towards the least point of the difference of the two (Frank & Wolfe 1956).
@@ -163,7 +165,7 @@ impl Looking<'_> {
                 step -= turn * (normal.dot(turn) / size).clamp(0.0, 1.0);
             }
         }
-        let sight = Sight { lower, depth, size: first.size.max(second.size) };
+        let sight = Sight { lower, depth, size: first.size.max(second.size), reach };
         pairs.keep(pair, parts, &sight, off);
     }
 }

@@ -95,8 +95,9 @@ fn decided(maps: &[Affine3], contraction: &Contraction3, options: &Options) -> C
         pairs.for_each(|(i, j)| graph.add(i, j));
     }
     let widest = found.pair.map(|pair| closest.near(pair).points).filter(|_| !proved);
-    let gap = if proved { Gap::default() } else { Gap { lower: found.lower, upper: found.upper } };
-    Connectedness3 {
+    let unknown = Gap { lower: 0.0, upper: f64::INFINITY };
+    let gap = if proved { Gap::default() } else { found.gap(diameter).unwrap_or(unknown) };
+    let found = Connectedness3 {
         verdict,
         gap,
         overlaps: graph.edges(),
@@ -106,5 +107,6 @@ fn decided(maps: &[Affine3], contraction: &Contraction3, options: &Options) -> C
         diameter,
         nodes: closest.nodes(),
         reason,
-    }
+    };
+    found.or_undecided()
 }

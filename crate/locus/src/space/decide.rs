@@ -5,7 +5,7 @@ use frond_core::{Affine3, IfsError, SupportTable3};
 use crate::magnification::Magnification;
 use crate::space::bracket::Closest;
 use crate::space::frame::Frame3;
-use crate::verdict::{Sample, State};
+use crate::verdict::{Gap, Sample, State};
 
 /// The memory that [`decide3`] works in; keep one for many calls.
 #[derive(Clone, Debug, Default)]
@@ -54,13 +54,16 @@ pub fn decide3(maps: &[Affine3], epsilon: f64, budget: usize, scratch: &mut Scra
     let resolution = frame.resolution(epsilon.max(0.0), diameter);
     closest.begin(frame, table);
     let found = closest.bracket(frame, table, resolution, BRACKET_WIDTH, budget);
-    if found.upper <= resolution {
+    // No gap is wider than the shape.
+    let Some(Gap { lower, upper }) = found.gap(diameter) else {
+        return Sample { state: State::Undecided, gap: 1.0 };
+    };
+    if upper <= resolution {
         whole(State::Touching)
-    } else if found.lower > 0.0 {
-        let gap = f64::midpoint(found.lower, found.upper) / diameter;
-        Sample { state: State::Disconnected, gap: gap as f32 }
+    } else if lower > 0.0 {
+        Sample { state: State::Disconnected, gap: (f64::midpoint(lower, upper) / diameter) as f32 }
     } else {
-        Sample { state: State::Undecided, gap: (found.upper / diameter) as f32 }
+        Sample { state: State::Undecided, gap: (upper / diameter) as f32 }
     }
 }
 

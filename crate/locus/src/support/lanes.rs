@@ -60,8 +60,8 @@ pub(crate) fn direction(k: usize) -> DVec2 {
 pub(crate) fn locate(d: DVec2) -> (usize, f64, f64) {
     let steep = d.x.abs() < d.y.abs();
     let (large, small) = if steep { (d.y, -d.x) } else { (d.x, d.y) };
-    // The zero vector lies in any sector, at length 0.
-    let slope = small / (large + f64::MIN_POSITIVE);
+    // Of the zero vector the quotient is NaN: it lies at the beginning of a side, at length 0. All others are within 1.
+    let slope = larger(-1.0, small / large);
     let along = slope * (DIRECTIONS_A_SIDE as f64 / 2.0) + (DIRECTIONS_A_SIDE as f64 / 2.0);
     let side = 2 * (large.to_bits() >> 63) as usize + usize::from(steep);
     // 1.5 * 2^52: floats around there are whole, and hold the nearest whole number in their lowest bits.
@@ -203,3 +203,56 @@ impl<const L: usize> SupportLanes<L> {
 
 /// How many directions off the opposite one the farthest point is looked for.
 const DIRECTIONS_ASIDE: usize = 2;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lengths that quotients and squares go wrong at, and usual ones.
+    fn numbers() -> Vec<f64> {
+        let least = f64::MIN_POSITIVE;
+        let sizes = [
+            0.0,
+            f64::from_bits(1),
+            0.5 * least,
+            least.next_down(),
+            least,
+            1.5 * least,
+            1e-300,
+            1e-160,
+            0.3,
+            1.0,
+        ];
+        sizes.into_iter().chain([1e100]).flat_map(|x| [x, -x]).collect()
+    }
+
+    #[test]
+    fn vectors_of_all_sizes_lie_in_their_sector() {
+        for x in numbers() {
+            for y in numbers() {
+                let (low, along, length) = locate(DVec2::new(x, y));
+                assert!(low < DIRECTIONS && (0.0..=1.0).contains(&along), "{x} {y}: {low} {along}");
+                assert_eq!(length, x.abs().max(y.abs()));
+                let there = direction(low).lerp(direction(low + 1), along) * length;
+                let off = (there - DVec2::new(x, y)).abs().max_element();
+                assert!(off <= 1e-15 * length + f64::from_bits(4), "{x} {y}: {there}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_piece_that_is_all_but_a_point_bounds_nothing_too_narrowly() {
+        // Halves of the segment from 0 to 1/2, and a third map that shrinks all but to 0.
+        let mut lanes = SupportLanes::<1>::default();
+        for least in numbers().into_iter().filter(|x| x.abs() < 1e-100) {
+            let half = |e: f64| [Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, 0.0])];
+            let point = [Affine2::from_row([least, least, -least, 0.0, 0.0, 0.0])];
+            lanes.set(&[half(0.0), half(0.25), point], 1e-6, 64);
+            for k in 0..DIRECTIONS {
+                let (far, _) = lanes.support(direction(k), 0);
+                assert!(far.is_finite() && far >= direction(k).x.max(0.0) * 0.5, "{least} {k}: {far}");
+            }
+            assert!(lanes.radius() >= 0.5 && lanes.radius() <= 1.1, "{least}: {}", lanes.radius());
+        }
+    }
+}

@@ -64,8 +64,8 @@ fn locate(per: usize, d: DVec2x4) -> Place {
     // The sides in their order: right, top, left, bottom.
     let steep = across.choose_less(up, F64x4::splat(per), F64x4::default());
     let side = steep + large.choose_less(F64x4::default(), F64x4::splat(2.0 * per), F64x4::default());
-    // The zero vector lies in any sector, at length 0.
-    let slope = small / (large + F64x4::splat(f64::MIN_POSITIVE));
+    // Of the zero vector the quotient is NaN: it lies at the beginning of a side, at length 0. All others are within 1.
+    let slope = (small / large).max(F64x4::splat(-1.0));
     let along = slope * F64x4::splat(0.5 * per) + F64x4::splat(0.5 * per);
     // The nearest whole number below, or that just above which is one sector on at its very beginning.
     let whole = along - F64x4::splat(0.5) + F64x4::splat(ROUND_TO_WHOLE);
@@ -337,4 +337,66 @@ fn width_of_two(difference: DVec2, d: DVec2x4) -> (F64x4, DVec2x4) {
     let along = p.dot(d);
     let signed = |x: F64x4| along.choose_less(F64x4::default(), -x, x);
     (along.abs(), DVec2x4 { x: signed(p.x), y: signed(p.y) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lengths that quotients and squares go wrong at, and usual ones.
+    fn numbers() -> Vec<f64> {
+        let least = f64::MIN_POSITIVE;
+        let sizes = [
+            0.0,
+            f64::from_bits(1),
+            0.5 * least,
+            least.next_down(),
+            least,
+            1.5 * least,
+            1e-300,
+            1e-160,
+            0.3,
+            1.0,
+        ];
+        sizes.into_iter().chain([1e100]).flat_map(|x| [x, -x]).collect()
+    }
+
+    #[test]
+    fn a_piece_that_is_all_but_a_point_bounds_nothing_too_narrowly() {
+        // Halves of the segment from 0 to 1/2, and a third map that shrinks all but to 0.
+        let half = |e: f64| Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, 0.0]);
+        let mut table = SupportTable::default();
+        for least in numbers().into_iter().filter(|x| x.abs() < 1e-100) {
+            let point = Affine2::from_row([least, least, -least, 0.0, 0.0, 0.0]);
+            for per in [ROUGH_PER_SIDE, FINE_PER_SIDE, FINEST_PER_SIDE] {
+                table.bound(per, &[half(0.0), half(0.25), point], 1e-6, 64);
+                for k in 0..4 * per {
+                    let d = table.direction(k);
+                    let (far, at) = table.support(d);
+                    assert!(far.is_finite() && far >= d.x.max(0.0) * 0.5, "{least} {per} {k}: {far}");
+                    assert!(at.is_finite() && (0.0..=0.5).contains(&at.x), "{least} {per} {k}: {at}");
+                }
+                assert!((0.5..0.52).contains(&table.diameter(DMat2::IDENTITY)), "{least} {per}");
+            }
+        }
+    }
+
+    #[test]
+    fn vectors_of_all_sizes_have_a_support() {
+        // The square from 0 to 1/2 of four quarters: the support along (x, y) is that of a corner.
+        let quarter = |e: f64, f: f64| Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, f]);
+        let maps = [quarter(0.0, 0.0), quarter(0.25, 0.0), quarter(0.0, 0.25), quarter(0.25, 0.25)];
+        let mut table = SupportTable::default();
+        table.set(&maps, 1e-9, 200);
+        for x in numbers() {
+            for y in numbers() {
+                let corner = 0.5 * (x.max(0.0) + y.max(0.0));
+                let (far, _) = table.support(DVec2::new(x, y));
+                let off = far - corner;
+                let size = x.abs().max(y.abs());
+                assert!(off >= -1e-15 * size - f64::from_bits(8), "{x} {y}: {far} {corner}");
+                assert!(off <= 0.1 * size + f64::from_bits(8), "{x} {y}: {far} {corner}");
+            }
+        }
+    }
 }

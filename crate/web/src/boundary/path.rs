@@ -40,7 +40,12 @@ pub(crate) fn read_path(points: JsValue) -> Result<Vec<DVec3>, JsValue> {
     };
     let points = points.into_iter().map(|row| point(row).filter(|at| at.is_finite()));
     let points: Option<Vec<DVec3>> = points.collect();
-    points.ok_or_else(|| bad_input("The path", "each point must be two or three finite numbers"))
+    let points =
+        points.ok_or_else(|| bad_input("The path", "each point must be two or three finite numbers"))?;
+    if points.is_empty() {
+        return Err(bad_input("The path", "it must have a point or more"));
+    }
+    Ok(points)
 }
 
 #[derive(Deserialize)]

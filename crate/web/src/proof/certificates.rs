@@ -48,6 +48,9 @@ pub fn connected_certificate(
         CertifiedLink::Point(addresses) => {
             Link::Point { addresses: addresses.map(|[head, repeat]| Address { head, repeat }) }
         }
+        CertifiedLink::Between(addresses) => {
+            Link::Between { addresses: addresses.map(|[head, repeat]| Address { head, repeat }) }
+        }
         CertifiedLink::Area(pair) => Link::Area { pair },
         CertifiedLink::Difference(pair, steps) => Link::Difference { pair, steps },
         CertifiedLink::Crossing(words, far) => Link::Crossing {

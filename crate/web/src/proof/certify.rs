@@ -19,8 +19,8 @@ struct Certifying {
 /// The most boxes that one call looks at: some minutes at worst.
 const MOST_BOXES: f64 = 200_000.0;
 
-/// Proves as small a bound of the widest gap along a stretch of a path as it can. Long work: call it in a worker, a
-/// stretch at a time.
+/// Proves as small a bound of the widest gap along a stretch of a path as it can: at one moment where t0 is t1. Long
+/// work: call it in a worker, a stretch at a time.
 #[wasm_bindgen(js_name = certifyPath, unchecked_return_type = "PathCertificate")]
 pub fn certify_path(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
@@ -37,8 +37,13 @@ pub fn certify_path(
     if within.is_nan() || t0.is_nan() || t1.is_nan() {
         return Err(bad_input("The options", "its numbers must not be NaN"));
     }
+    let asked = CertifyOptions { within, t0, t1, ..default };
+    if asked.stretch().is_none() {
+        let why = "t0 must not be above t1, and some of the path from 0 to 1 must lie between them";
+        return Err(bad_input("The options", why));
+    }
     let budget = plain.budget.map_or(default.budget, |budget| budget.clamp(0.0, MOST_BOXES) as usize);
-    let proved = frond_locus::certify_path(&morph, &points, &CertifyOptions { within, budget, t0, t1 });
+    let proved = frond_locus::certify_path(&morph, &points, &CertifyOptions { budget, ..asked });
     let PathCertificate { gap, holds, boxes, worst, complete, joints } = proved;
     Ok(object(&[
         ("gap", gap.into()),

@@ -80,8 +80,7 @@ pub fn epsilon(
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] maps: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Point3")] direction: JsValue,
     epsilon: f64,
-    #[wasm_bindgen(unchecked_optional_param_type = "{ frame?: \"picture\" | \"space\" }")]
-    options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ frame?: \"picture\" | \"space\" }")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let Flattening { frame } = read("The options", options)?;
     let frame = match frame {

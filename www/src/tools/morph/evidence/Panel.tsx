@@ -94,7 +94,10 @@ async function saveDrawing(answer: Connectedness, epsilon: number): Promise<void
 }
 
 /** Kinds of reasons that are written down as certificates. */
-const WRITTEN: readonly string[] = ["shared-points", "neighbours", "crossings", "area", "differences"];
+const WRITTEN: readonly string[] = [
+  ...["shared-points", "neighbours", "crossings", "line", "area", "differences"],
+  ...["one-map", "equal-maps", "common-point"],
+];
 
 /** Whether there may be a proof that a checker can replay. */
 function isWritten({ verdict, reason }: Connectedness): boolean {

@@ -91,6 +91,7 @@ export function linkWords({ kind, pair: [i, j], words, at }: Link): string {
     return `${pieces} cross: a path through copy ${words[0]} has to meet one through copy ${words[1]}.`;
   if (kind === "difference")
     return `${pieces} meet: the step from one to the other is the difference of two points of such a piece.`;
+  if (kind === "line") return `${pieces} overlap on the line that holds the whole shape.`;
   if (kind === "area") return `${pieces} are too large to leave room between them.`;
   // Rounding leaves a trace where a number is 0.
   const place = at.map((x) => lengthWords(Math.abs(x) < 1e-12 ? 0 : x).replace("-", "−")).join(", ");
