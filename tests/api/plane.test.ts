@@ -258,7 +258,7 @@ describe("a path", () => {
     // What comes out goes in.
     expect(frond.checkPath(...ends(), space.points, { samples: 801 }).holds).toBe(true);
     expect(refused(() => frond.planPath(...ends(), wrong({ axes: 4 })))).toBe("bad-input");
-    for (const bad of [[[0, 0], [1]], [[0, 0, 0, 0]], [[0, null]], [0, 1]])
+    for (const bad of [[], [[0, 0], [1]], [[0, 0, 0, 0]], [[0, null]], [0, 1]])
       expect(refused(() => frond.checkPath(...ends(), wrong(bad), undefined))).toBe("bad-input");
   });
 
@@ -289,6 +289,10 @@ describe("a path", () => {
       [[[0, 0, 0, 0]], {}],
       [5, {}],
       [[], { within: "x" }],
+      [[], {}],
+      [[[0, 0]], { t0: 0.7, t1: 0.2 }],
+      [[[0, 0]], { t0: 2, t1: 3 }],
+      [[[0, 0]], { t0: Number.NaN }],
     ])
       expect(refused(() => prove(points, options))).toBe("bad-input");
   });
