@@ -81,9 +81,20 @@ const THEOREMS: readonly Theorem[] = [
       $g = 0$, and $A$ is connected by Hata's theorem. ∎</p>
       <p>All conditions are strict inequalities, between points and convex hulls: a little play in the maps leaves them true. This is why what
       proves one sample of the map of parameters mostly proves its neighbours, each of which is checked on its own. That two bars lie across
-      each other is no proof while $G$ is not known to be small: they may pass through each other's gaps.</p>
-      <p><strong>On a line</strong> nothing can cross. There one point of $A_i$ between two points of $A_j$ does the same: it
-      is within $\lvert f_j \rvert\, g / 2$ of a point of $A_j$, and so nearer than $g$.</p>`,
+      each other is no proof while $G$ is not known to be small: they may pass through each other's gaps.</p>`,
+  },
+  {
+    kinds: ["line"],
+    title: "Pieces that overlap on a line",
+    text: String.raw`
+      <p><strong>Theorem.</strong> Let $A$ lie on a line. If a point of $A_j$ lies between two points of $A_i$ for the edges
+      $(i, j)$ of a connected graph, then $A$ is connected. Pairs that are known to meet for another reason count as well.</p>
+      <p><strong>Proof.</strong> Suppose that $g > 0$. $A$ is connected in steps of $g$, and so $A_i$ in steps of
+      $\lvert f_i \rvert\, g \le s g$. A point of the line between two points of $A_i$ is therefore within
+      $s g / 2$ of a point of $A_i$, and so the two pieces are nearer to each other than $g$. The longest edge of a shortest tree is below
+      $g$: a contradiction. So $g = 0$, and $A$ is connected by Hata's theorem. ∎</p>
+      <p>That $A$ lies on a line is shown by two of its points: where every map takes the line through them into itself, that line
+      holds $A$.</p>`,
   },
   {
     kinds: ["differences"],
@@ -153,8 +164,8 @@ const OUTLOOK = `
       <h2>What is computed</h2>
       <p>Points are compared by exact arithmetic in quadratic number fields, areas by exact sums of doubles. Crossings and differences are found in
       floating point, with bounds for what rounding can do that are added to every comparison: such a proof is as good as the program that
-      computes these bounds. The source says how, beside each of them. “In pieces, proved” comes with a certificate that a checker of its own
-      replays in whole numbers, and that can be saved; so do common points, areas, differences and crossings, where the checker takes for the norm that
+      computes these bounds. The source says how, beside each of them. A shape in pieces has a certificate that a checker of its own
+      replays in whole numbers, and that can be saved: only then is it called proved; so do common points, overlaps on a line, areas, differences and crossings, where the checker takes for the norm that
       whose unit ball is the difference of two points of a polygon which all maps take into its inside. “Looks whole” is no proof, and is never called one.</p>
       <h2>Sources</h2>
       <p>V. V. Aseev, A. V. Tetenov, A. S. Kravchenko: On selfsimilar Jordan curves on the plane. Siberian Math. J. 44, 2003. C. Bandt, S. Graf: Self-similar sets VII. A characterization of self-similar fractals with positive Hausdorff measure. Proc. AMS 114,
