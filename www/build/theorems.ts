@@ -164,9 +164,10 @@ const OUTLOOK = `
       <h2>What is computed</h2>
       <p>Points are compared by exact arithmetic in quadratic number fields, areas by exact sums of doubles. Crossings and differences are found in
       floating point, with bounds for what rounding can do that are added to every comparison: such a proof is as good as the program that
-      computes these bounds. The source says how, beside each of them. A shape in pieces has a certificate that a checker of its own
-      replays in whole numbers, and that can be saved: only then is it called proved; so do common points, overlaps on a line, areas, differences and crossings, where the checker takes for the norm that
-      whose unit ball is the difference of two points of a polygon which all maps take into its inside. “Looks whole” is no proof, and is never called one.</p>
+      computes these bounds. The source says how, beside each of them. A shape in pieces has a certificate that a checker of its own replays in
+      whole numbers, and that can be saved. It is called proved once the checker has taken it. Common points, overlaps on a line, areas,
+      differences and crossings have certificates, too; for them the checker takes the norm whose unit ball is the difference of two points of
+      a polygon which all maps take into its inside. “Looks whole” is no proof, and is never called one.</p>
       <h2>Sources</h2>
       <p>V. V. Aseev, A. V. Tetenov, A. S. Kravchenko: On selfsimilar Jordan curves on the plane. Siberian Math. J. 44, 2003. C. Bandt, S. Graf: Self-similar sets VII. A characterization of self-similar fractals with positive Hausdorff measure. Proc. AMS 114,
       1992. M. F. Barnsley, A. N. Harrington: A Mandelbrot set for pairs of linear maps. Physica D 15, 1985. D. Calegari, S. Koch, A. Walker: Roots,
