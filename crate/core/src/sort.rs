@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 /// Sorts indices by what they stand for; where that is equal, the lower index comes first.
 ///
-/// By a heap (Williams 1964). The standard library's sort is quicker, and takes some 9 kB of a module for the browser for
-/// each way to compare; what the first picture waits for has no other use for it.
+/// By a heap (Williams 1964). The standard library's sort is quicker, and takes some 9 kB of a module for the browser
+/// for each way to compare; what the first picture waits for has no other use for it.
 pub fn sort_indices(indices: &mut [usize], compare: &dyn Fn(usize, usize) -> Ordering) {
     let below = |a: usize, b: usize| compare(a, b).then(a.cmp(&b)).is_lt();
     let sink = |heap: &mut [usize], mut top: usize| {

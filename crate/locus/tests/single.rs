@@ -90,8 +90,8 @@ const MARGIN: f64 = 1e-4;
 
 #[test]
 fn known_morphs_are_decided_as_in_double_precision() {
-    // A map of the dragon turns by half a turn: both ways are looked at. By the one of eq 6, which was looked at last, 133
-    // of 3904 samples are left undecided at 1e-5, and at most 130 in the others.
+    // A map of the dragon turns by half a turn: both ways are looked at. By the one of eq 6, which was looked at
+    // last, 133 of 3904 samples are left undecided at 1e-5, and at most 130 in the others.
     let turned = |turn| {
         let options = MorphOptions { turns: vec![0, turn, 0], ..MorphOptions::default() };
         Morph::new(&dragon(), &gasket(), &options).unwrap()

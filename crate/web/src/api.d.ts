@@ -68,7 +68,8 @@ export interface Reason {
 
 /**
  * What holds two pieces together: a point that both have, two paths that must cross, an overlap on the line that holds
- * the shape, areas too large to leave room, or a step between two copies of one shape that is the difference of two of its points.
+ * the shape, areas too large to leave room, or a step between two copies of one shape that is the difference of two
+ * of its points.
  */
 export interface Link {
   kind: "point" | "crossing" | "line" | "area" | "difference";
@@ -151,8 +152,8 @@ export interface CertificateCheck {
 export type Mode = "polar" | "linear";
 
 /**
- * Which way maps go that turn by half a turn, which is as short either way: by the signs of the angles, as eq 6 of Burch
- * & Hart (1997) has it, or all of them one way. Default: `signs`.
+ * Which way maps go that turn by half a turn, which is as short either way: by the signs of the angles, as eq 6 of
+ * Burch & Hart (1997) has it, or all of them one way. Default: `signs`.
  */
 export type HalfTurns = "signs" | "counterclockwise" | "clockwise";
 
@@ -247,7 +248,10 @@ export interface PathOptions extends MorphOptions {
 export interface CertifyOptions extends MorphOptions {
   /** The relative gap that is to be excluded. Default 1/600. */
   within?: number;
-  /** The stretch of the path, by length; one moment where t1 is t0. Default 0 to 1. What is no stretch of it is refused. */
+  /**
+   * The stretch of the path, by length; one moment where t1 is t0. Default 0 to 1. What is no stretch of it is
+   * refused.
+   */
   t0?: number;
   t1?: number;
   /** The most boxes to look at; fewer where each takes long. */

@@ -27,7 +27,10 @@ export function matchWords(correspondence: readonly number[], turns: readonly nu
 /** Which way round a half turn goes that so many whole turns (1 or -1) would make the other one. */
 export const halfTurnWay = (other: number): string => (other > 0 ? "clockwise" : "counter-clockwise");
 
-/** Which maps turn by half a turn, and that there are two of them; `other` as `halfTurns` gives it, null where none does. */
+/**
+ * Which maps turn by half a turn, and that there are two of them; `other` as `halfTurns` gives it, null where none
+ * does.
+ */
 export function halfTurnWords(other: readonly number[]): string | null {
   const maps = other.flatMap((turn, i) => (turn === 0 ? [] : [{ number: String(i + 1), turn }]));
   const [only, ...more] = maps;

@@ -92,7 +92,8 @@ export const OWN_BOUNDS = "by Frond’s own bounds";
 
 /**
  * What is known of a shape, of the plane or of space, in the words of the whole page; null while it is not known. Only
- * a proof is said to be one, and that a shape is in pieces only where a checker has taken the proof. `epsilon` is what it was looked at with.
+ * a proof is said to be one, and that a shape is in pieces only where a checker has taken the proof. `epsilon` is
+ * what it was looked at with.
  */
 export function verdictWords(answer: Told | null, epsilon = RESOLUTION): VerdictWords {
   switch (answer?.verdict) {

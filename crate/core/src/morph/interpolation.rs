@@ -13,12 +13,13 @@ use crate::morph::turn2::is_half;
 /// are written as a rotation times a symmetric matrix at both ends, so that the one that reflects has a
 /// negative stretch along one axis, and goes through a collapse of that axis.
 ///
-/// Each map turns by the shortest turn, and whole turns more where they are asked for. Where that is half a turn, which is
-/// as short either way, the sign of eq 6 decides: of the second angle less the first, both in (-pi, pi]. So the family
-/// from the last system to the first is this one run backwards, whatever the mode.
+/// Each map turns by the shortest turn, and whole turns more where they are asked for. Where that is half a turn,
+/// which is as short either way, the sign of eq 6 decides: of the second angle less the first, both in (-pi, pi]. So
+/// the family from the last system to the first is this one run backwards, whatever the mode.
 ///
-/// In space quaternions take the place of angles: a map turns about one axis by the least angle. Where both ends reflect, the orthogonal factor is minus a rotation all the way. A map
-/// without a turn of its own (it puts all on a line or in a point) takes as much of the other end's turn as fits it.
+/// In space quaternions take the place of angles: a map turns about one axis by the least angle. Where both ends
+/// reflect, the orthogonal factor is minus a rotation all the way. A map without a turn of its own (it puts all on a
+/// line or in a point) takes as much of the other end's turn as fits it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Morph<D: Dimension = Dim2> {
     mode: Mode,
@@ -81,8 +82,8 @@ impl<D: Dimension> Morph<D> {
         self.pairs.iter().map(|pair| pair.turn).collect()
     }
 
-    /// For each map that turns by half a turn, the whole turns (1 or -1) that make it the half turn the other way round;
-    /// 0 for all others, and in a linear morph, which does not turn.
+    /// For each map that turns by half a turn, the whole turns (1 or -1) that make it the half turn the other way
+    /// round; 0 for all others, and in a linear morph, which does not turn.
     #[must_use]
     pub fn other_half_turns(&self) -> Vec<i32> {
         let other = |pair: &Pair<D>| match D::angle(&pair.turn) {

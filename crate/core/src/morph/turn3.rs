@@ -15,7 +15,8 @@ use crate::order::Total;
 pub struct Turn3 {
     /// The turn at the start: `Q` of its polar decomposition, or `-Q` where both ends reflect.
     pub start: DQuat,
-    /// The axis, a unit vector that points up, or else forward, or else to the right, in the coordinates before `start`.
+    /// The axis, a unit vector that points up, or else forward, or else to the right, in the coordinates before
+    /// `start`.
     pub axis: DVec3,
     /// The whole angle about it, counter-clockwise, in [-pi, pi] but for whole extra turns.
     pub angle: f64,
@@ -137,8 +138,8 @@ fn turn_between(p: DMat3, q: DMat3, extra: i32) -> Turn3 {
 }
 
 /// Which half turn leads from one rotation to another, of the two about an axis. About it the rotations have angles, as
-/// maps of the plane have (the twists of their quaternions), and these decide as they do there: from the other end it is
-/// the way back.
+/// maps of the plane have (the twists of their quaternions), and these decide as they do there: from the other end it
+/// is the way back.
 fn half_turn(start: DQuat, end: DQuat, axis: DVec3) -> f64 {
     let twist = |q: DQuat| DVec2::new(q.w, q.xyz().dot(axis));
     if twist(start).length() > HALF_ERROR {

@@ -1,8 +1,8 @@
 //! Coordinates along the axes in which a shape is about as wide as it is high.
 //!
 //! A shape may be stretched along an axis a million times. Then the corners of a polygon about it have coordinates that
-//! differ as much, and rounding is counted in the longer one. Powers of two along both axes change no digit of the maps:
-//! what is found in these coordinates is brought back digit for digit.
+//! differ as much, and rounding is counted in the longer one. Powers of two along both axes change no digit of the
+//! maps: what is found in these coordinates is brought back digit for digit.
 
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};

@@ -17,7 +17,7 @@ export const nameOf = (pairing: Pairing) => pairing.map((to) => to + 1).join("")
 export const kept = (pairing: Pairing) => pairing.filter((to, from) => to === from).length;
 
 /**
- * Piece 2 of Heighway's dragon turns by half a turn, which is as short either way. Here it does so counter-clockwise: so
- * only one of the pairings that are asked about holds.
+ * Piece 2 of Heighway's dragon turns by half a turn, which is as short either way. Here it does so counter-clockwise:
+ * so only one of the pairings that are asked about holds.
  */
 export const TURNS = [0, 1, 0];

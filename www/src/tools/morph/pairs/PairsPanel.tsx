@@ -1,7 +1,7 @@
 import "#ui/panel/fold.css";
 import { halfTurns, pairing } from "#document/morph";
 import { edit } from "#document/scene";
-import { HalfTurns } from "#ui/shapes/HalfTurns";
+import { HalfTurns } from "#ui/panel/HalfTurns";
 import { flatPairs, turnedFurther } from "../changes";
 import { pairsOpen } from "../dialogs";
 import { Pairs, PairWords } from "../later";

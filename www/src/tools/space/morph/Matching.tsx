@@ -4,7 +4,7 @@ import { matchWords } from "#format/path-words";
 import { Select } from "#ui/controls/Select";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { Fold } from "#ui/panel/Fold";
-import { HalfTurns } from "#ui/shapes/HalfTurns";
+import { HalfTurns } from "#ui/panel/HalfTurns";
 import type { Mode } from "#wasm/api";
 import { exchanged, flatPairs, inOrder, orderNow, turnedFurther, withMode, withOrder } from "./changes";
 import css from "./morph3.module.css";
