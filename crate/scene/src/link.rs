@@ -38,8 +38,8 @@ use locus::{read_locus, read_way_points, write_locus};
 use space::{read_space, write_space};
 use turns::Counting;
 use words::{
-    choice, colour_words, damaged, escape, is_colour, name_of, number, numbers, read_colours, read_list,
-    read_numbers, tidy, unescape, within,
+    choice, colour_words, damaged, escape, is_colour, joined, name_of, number, numbers, read_colours,
+    read_list, read_numbers, tidy, unescape, within,
 };
 
 /// The version that is written.
@@ -80,7 +80,7 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
         let points: Vec<String> = scene.path.points.iter().map(|point| numbers(&point.numbers())).collect();
         let _ = write!(link, "&path={}", name_of(&PATHS, &scene.path.kind));
         if !points.is_empty() {
-            let _ = write!(link, ":{}", points.join(";"));
+            let _ = write!(link, ":{}", joined(&points, ";"));
         }
     }
     if scene.t != 0.0 {
@@ -88,12 +88,12 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
     }
     if !scene.correspondence.is_empty() {
         let letters: Vec<String> = scene.correspondence.iter().map(|i| (i + 1).to_string()).collect();
-        let _ = write!(link, "&match={}", letters.join(","));
+        let _ = write!(link, "&match={}", joined(&letters, ","));
     }
     let turns = counting(scene).for_link(&scene.turns);
     if !turns.is_empty() {
         let turns: Vec<String> = turns.iter().map(ToString::to_string).collect();
-        let _ = write!(link, "&turns={}", turns.join(","));
+        let _ = write!(link, "&turns={}", joined(&turns, ","));
     }
     if scene.colouring != Colouring::Map {
         let _ = write!(link, "&colour={}", name_of(&COLOURS, &scene.colouring));
@@ -270,7 +270,7 @@ fn write_maps(link: &mut String, key: &str, shape: &Shape) {
         return;
     }
     let rows: Vec<String> = shape.maps.iter().map(|row| numbers(row)).collect();
-    let _ = write!(link, "&{key}=maps:{}", rows.join(";"));
+    let _ = write!(link, "&{key}=maps:{}", joined(&rows, ";"));
     let name = tidy(&shape.name);
     if !name.is_empty() {
         let _ = write!(link, "&{key}-name={}", escape(&name));

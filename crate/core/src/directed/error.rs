@@ -106,10 +106,9 @@ fn are(states: usize) -> String {
 
 /// `1, 2, 1`, with the map where it matters: `1 (by map 2)`.
 fn way(cycle: &[(usize, usize)]) -> String {
-    let mut steps: Vec<String> =
-        cycle.iter().map(|(state, map)| format!("{} (by its map {})", state + 1, map + 1)).collect();
-    steps.extend(cycle.first().map(|(state, _)| (state + 1).to_string()));
-    steps.join(", ")
+    let steps = cycle.iter().map(|(state, map)| format!("{} (by its map {}), ", state + 1, map + 1));
+    let back = cycle.first().map(|(state, _)| (state + 1).to_string());
+    steps.chain(back).collect()
 }
 
 impl DirectedError {

@@ -12,7 +12,8 @@ use frond_deform::{Continuity, Roughness, Spin};
 
 use super::error::LinkError;
 use super::words::{
-    choice, colour_words, damaged, name_of, number, numbers, read_colours, read_numbers, read_some, within,
+    choice, colour_words, damaged, joined, name_of, number, numbers, read_colours, read_numbers, read_some,
+    within,
 };
 use crate::deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
 
@@ -49,7 +50,7 @@ pub(super) fn write_deform(link: &mut String, deform: &Deformation) {
         Roughness::Corners(deltas) => deltas.to_vec(),
     };
     let _ = write!(link, "&bend={}", numbers(&[&[deform.kb, deform.ke], &delta[..]].concat()));
-    let _ = write!(link, "&keys={}", deform.keys.iter().map(key).collect::<Vec<_>>().join(";"));
+    let _ = write!(link, "&keys={}", joined(&deform.keys.iter().map(key).collect::<Vec<_>>(), ";"));
     if deform.phase != 0.0 {
         let _ = write!(link, "&phase={}", number(deform.phase));
     }
@@ -83,7 +84,7 @@ fn key(key: &Key) -> String {
     let mut text = format!("{}:", number(key.at));
     let pairs = key.moves.chunks_exact(2).enumerate().filter(|(_, pair)| pair.iter().any(|x| *x != 0.0));
     let moved: Vec<String> = pairs.map(|(i, pair)| format!("{},{}", i + 1, numbers(pair))).collect();
-    text.push_str(&moved.join(","));
+    text.push_str(&joined(&moved, ","));
     text
 }
 

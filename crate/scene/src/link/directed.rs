@@ -15,7 +15,7 @@ use std::fmt::Write as _;
 use frond_core::{HalfTurns, MAX_MAPS, MAX_STATES};
 
 use super::error::LinkError;
-use super::words::{choice, damaged, escape, name_of, numbers, read_list, tidy, unescape};
+use super::words::{choice, damaged, escape, joined, name_of, numbers, read_list, tidy, unescape};
 use crate::directed::{Directed, DirectedCopy, DirectedShape};
 
 /// The keys of a shape, of itself and of its name, and which end it is.
@@ -52,9 +52,9 @@ fn write_one(link: &mut String, (key, name_key, _): Keys, shape: &DirectedShape)
         return;
     }
     let copy = |part: &DirectedCopy| format!("{},{}", part.from.saturating_add(1), numbers(&part.map));
-    let state = |maps: &Vec<DirectedCopy>| maps.iter().map(copy).collect::<Vec<_>>().join(";");
+    let state = |maps: &Vec<DirectedCopy>| joined(&maps.iter().map(copy).collect::<Vec<_>>(), ";");
     let states: Vec<String> = shape.states.iter().map(state).collect();
-    let _ = write!(link, "&{key}=states:{}", states.join(":"));
+    let _ = write!(link, "&{key}=states:{}", joined(&states, ":"));
     write_name(link, name_key, shape);
 }
 

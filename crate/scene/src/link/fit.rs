@@ -21,7 +21,7 @@ use frond_fit::ClosedCurve;
 
 use super::error::LinkError;
 use super::words::{
-    choice, damaged, escape, name_of, number, numbers, read_list, read_numbers, tidy, unescape,
+    choice, damaged, escape, joined, name_of, number, numbers, read_list, read_numbers, tidy, unescape,
 };
 use crate::curve::{Curve, CurveShape, Curves};
 use crate::fit::{
@@ -196,7 +196,7 @@ pub(super) fn write_fit(link: &mut String, fit: &Fit) -> Result<(), LinkError> {
     if let Some(graph) = &fit.graph {
         let piece = |piece: &GraphPiece| numbers(&[&piece.map[..], &piece.domain[..]].concat());
         let pieces: Vec<String> = graph.pieces.iter().map(piece).collect();
-        let _ = write!(link, "&graph={}:{}", name_of(&KINDS, &graph.kind), pieces.join(";"));
+        let _ = write!(link, "&graph={}:{}", name_of(&KINDS, &graph.kind), joined(&pieces, ";"));
     }
     if let Some(word) = &fit.plane {
         if !is_plane_word(word) {
