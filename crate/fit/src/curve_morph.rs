@@ -76,7 +76,16 @@ impl CurveMorph {
         }
         let first = Ring::new(a);
         let rings = match b {
-            Some(b) if a != b => matching::share(first, Ring::new(b)),
+            Some(b) if a != b => {
+                let last = Ring::new(b);
+                // From whichever end, the search begins with the same curve: swapped, a morph runs backwards.
+                if last.numbers().lt(first.numbers()) {
+                    let [last, first] = matching::share(last, first);
+                    [first, last]
+                } else {
+                    matching::share(first, last)
+                }
+            }
             _ => [first.clone(), first],
         };
         let places = [rings[0].places(), rings[1].places()];

@@ -3,7 +3,8 @@
 use std::sync::LazyLock;
 
 use frond_fit::{
-    ArcCopy, ClosedCurve, CurveMorph, Fitter, MorphedCurve, Nearest, Outline, crossings, maple_leaf, oak_leaf,
+    ArcCopy, ClosedCurve, CurveMorph, Fitter, MorphedCurve, Nearest, Outline, crossings, curve_presets,
+    maple_leaf, oak_leaf,
 };
 use frond_testing::cases;
 use glam::DVec2;
@@ -147,6 +148,22 @@ fn the_ends_are_the_two_curves() {
             for p in &curve.knots {
                 assert!(line.to(*p).squared.sqrt() < 1e-12 * diagonal(curve), "pair {k}: knot {p} at {s}");
             }
+        }
+    }
+}
+
+#[test]
+fn from_the_other_end_a_morph_runs_backwards() {
+    let presets: Vec<_> = curve_presets().into_iter().map(|preset| preset.curve).collect();
+    let gallery = presets.iter().flat_map(|a| presets.iter().map(move |b| (a.clone(), b.clone())));
+    for (k, (a, b)) in gallery.chain(pairs()).enumerate() {
+        let there = CurveMorph::new(&a, Some(&b)).unwrap();
+        let back = CurveMorph::new(&b, Some(&a)).unwrap();
+        let size = diagonal(&a).max(diagonal(&b));
+        for s in [0.0, 0.3, 0.5, 0.9] {
+            let (one, other) = (there.at(s).grid(300), back.at(1.0 - s).grid(300));
+            let far = one.iter().zip(&other).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+            assert!(far < 1e-5 * size, "pair {k}: {far} at {s}");
         }
     }
 }

@@ -40,6 +40,21 @@ impl Matching {
                 doubled: [0; 2],
             });
         }
+        // From whichever end, the search begins with the same graph: swapped, a morph runs backwards.
+        if numbers(to).lt(numbers(from)) {
+            return Self::search(to, from).map(Self::swapped);
+        }
+        Self::search(from, to)
+    }
+
+    fn swapped(mut self) -> Self {
+        self.states.iter_mut().for_each(|pair| *pair = (pair.1, pair.0));
+        self.maps.iter_mut().flatten().for_each(|map| *map = (map.1, map.0, map.2));
+        self.doubled.reverse();
+        self
+    }
+
+    fn search(from: &DirectedIfs, to: &DirectedIfs) -> Option<Self> {
         let hulls = [Hull::of_states(from), Hull::of_states(to)];
         let mut this = Self { states: vec![(0, 0)], maps: Vec::new(), doubled: [0; 2] };
         let mut next = 0;
@@ -74,6 +89,13 @@ impl Matching {
         }
         Some(this)
     }
+}
+
+/// What makes a system this one and no other, but for which map is of which state.
+fn numbers(system: &DirectedIfs) -> impl Iterator<Item = f64> {
+    let map = |part: &DirectedMap| part.map.to_row().into_iter().chain([part.from as f64]);
+    let maps = system.states().iter().flatten().flat_map(map);
+    std::iter::once(system.len() as f64).chain(maps)
 }
 
 /// Where a copy lies in the state that it is a part of, relative to its size.

@@ -60,6 +60,18 @@ impl Ring {
         self
     }
 
+    /// What makes the ring this one and no other: how many knots, where they are, and what the edges copy.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        let knots = self.knots.iter().flat_map(|knot| knot.to_array());
+        let edges = self.edges.iter().flat_map(|edge| {
+            edge.map_or([0.0; 5], |rough| {
+                let flipped = f64::from(u8::from(rough.flipped));
+                [rough.from as f64, rough.span as f64, flipped, rough.shape.x, rough.shape.y]
+            })
+        });
+        std::iter::once(self.knots.len() as f64).chain(knots).chain(edges)
+    }
+
     pub fn knot(&self, index: usize) -> DVec2 {
         self.knots[index % self.knots.len()]
     }
