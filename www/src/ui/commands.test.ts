@@ -5,6 +5,7 @@ import { timeCommands } from "./strip/timeline";
 
 const press = (key: string, held: Partial<KeyPress> = {}): KeyPress => ({
   key,
+  code: "",
   shiftKey: false,
   ctrlKey: false,
   metaKey: false,
@@ -58,6 +59,19 @@ describe("commandOf", () => {
     [press("y", { ctrlKey: true }), "none", "redo 1"],
     [press("Z", { ctrlKey: true, shiftKey: true }), "none", "redo 2"],
     [press("?", { shiftKey: true }), "none", "help 0"],
+    // Under layouts of other letters the place of the key counts: Russian, Greek and Hebrew.
+    [press("я", { code: "KeyZ", ctrlKey: true }), "none", "undo 1"],
+    [press("Я", { code: "KeyZ", shiftKey: true }), "none", "redo 0"],
+    [press("ζ", { code: "KeyZ" }), "none", "undo 0"],
+    [press("ז", { code: "KeyZ", metaKey: true }), "none", "undo 1"],
+    [press("л", { code: "KeyK" }), "none", "key 0"],
+    [press(",", { code: "Slash", shiftKey: true }), "none", "help 0"],
+    // Under a German or French one the letter does.
+    [press("z", { code: "KeyY", ctrlKey: true }), "none", "undo 1"],
+    [press("y", { code: "KeyZ", ctrlKey: true }), "none", "redo 1"],
+    [press("z", { code: "KeyW" }), "none", "undo 0"],
+    [press("ü", { code: "BracketLeft" }), "none", "step 0"],
+    [press("é", { code: "Digit2" }), "none", null],
     [press("K", { shiftKey: true }), "control", "key 0"],
     [press("2"), "none", "colour 1"],
     // Chords of the browser, and what a widget has for itself.

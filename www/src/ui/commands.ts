@@ -2,7 +2,7 @@
 import { signal } from "@preact/signals";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { askForFile } from "./files/door";
-import { type Focus, focusOf, type KeyPress } from "./focus";
+import { type Focus, focusOf, type KeyPress, latinKey } from "./focus";
 
 export interface Command {
   id: string;
@@ -71,7 +71,9 @@ const NAMES: Record<string, string> = {
 };
 
 /** A press as it is named in a list of keys, and without Shift, which says nothing where it is not in the list. */
-function namesOf({ key, ctrlKey, metaKey, shiftKey }: KeyPress): string[] {
+function namesOf(press: KeyPress): string[] {
+  const { ctrlKey, metaKey, shiftKey } = press;
+  const key = latinKey(press);
   const name = NAMES[key] ?? (key.length === 1 ? key.toUpperCase() : key);
   const held = ctrlKey || metaKey ? "Ctrl+" : "";
   return shiftKey ? [`${held}Shift+${name}`, `${held}${name}`] : [held + name];
@@ -126,8 +128,9 @@ export function listenForCommands(commands: () => readonly Command[]): () => voi
     const { command, way } = found;
     if (command.enabled?.() !== false) command.run?.(way);
   };
-  const onKeyUp = ({ key }: KeyboardEvent) => {
-    for (const command of commands()) if (command.keys.includes(key.toUpperCase())) command.release?.();
+  const onKeyUp = (event: KeyboardEvent) => {
+    const key = latinKey(event).toUpperCase();
+    for (const command of commands()) if (command.keys.includes(key)) command.release?.();
   };
   document.addEventListener("keydown", onKey);
   document.addEventListener("keyup", onKeyUp);

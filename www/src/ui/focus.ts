@@ -2,10 +2,27 @@
 
 export interface KeyPress {
   key: string;
+  /** The place of the key, named as on an American keyboard. */
+  code: string;
   shiftKey: boolean;
   ctrlKey: boolean;
   metaKey: boolean;
   altKey: boolean;
+}
+
+const BRACKETS: Record<string, string> = { BracketLeft: "[", BracketRight: "]" };
+
+/**
+ * The key as an American keyboard has it, where the layout has a letter there that no command is called by: under a
+ * Russian, Greek or Hebrew layout, and for brackets under a German one. "?" is found where either keyboard has it.
+ */
+export function latinKey({ key, code, shiftKey }: Pick<KeyPress, "key" | "code" | "shiftKey">): string {
+  if (key.length === 1 && key > "\u007f") {
+    const letter = BRACKETS[code] ?? /^Key([A-Z])$/.exec(code)?.[1] ?? key;
+    return shiftKey ? letter : letter.toLowerCase();
+  }
+  // A comma is what a Russian keyboard has there.
+  return shiftKey && code === "Slash" && /^[,.]$/.test(key) ? "?" : key;
 }
 
 /**

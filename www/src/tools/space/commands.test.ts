@@ -8,7 +8,12 @@ test("every key that help says the stage has does something there", () => {
   for (const way of stage.flatMap(({ keys }) => keys)) {
     const key =
       { "←": "ArrowLeft", "→": "ArrowRight", "↑": "ArrowUp", "↓": "ArrowDown", "−": "-" }[way] ?? way;
-    const press = { key: key.length === 1 ? key.toLowerCase() : key, shiftKey: false, ctrlKey: false };
+    const press = {
+      key: key.length === 1 ? key.toLowerCase() : key,
+      code: "",
+      shiftKey: false,
+      ctrlKey: false,
+    };
     expect(stageCommand({ ...press, metaKey: false, altKey: false }), way).not.toBeNull();
   }
 });

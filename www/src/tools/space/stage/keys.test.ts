@@ -1,8 +1,9 @@
 import { expect, test } from "vitest";
+import type { KeyPress } from "#ui/focus";
 import { stageCommand } from "./keys";
 
-const press = (key: string, held: Partial<Record<"shiftKey" | "ctrlKey" | "altKey", true>> = {}) =>
-  stageCommand({ key, shiftKey: false, ctrlKey: false, metaKey: false, altKey: false, ...held });
+const press = (key: string, held: Partial<KeyPress> = {}) =>
+  stageCommand({ key, code: "", shiftKey: false, ctrlKey: false, metaKey: false, altKey: false, ...held });
 
 test("arrows do what the hand does, and shift what is seen with Shift", () => {
   expect(press("ArrowLeft")).toEqual({ do: "hand", right: -1, down: 0 });
@@ -15,6 +16,7 @@ test("letters fly, slowly with Shift, and leave the browser its chords", () => {
   expect(press("w", { ctrlKey: true })).toBeNull();
   expect(press("a", { altKey: true })).toBeNull();
   expect(press("x")).toBeNull();
+  expect(press("ц", { code: "KeyW" })).toEqual(press("w"));
 });
 
 test("plus nears, a comma narrows the angle, and each has its other way", () => {

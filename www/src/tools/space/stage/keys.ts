@@ -1,7 +1,7 @@
 /** Keys on the focused stage of space. */
 import { endGesture } from "#document/scene";
 import { hand } from "#document/space/space";
-import type { KeyPress } from "#ui/focus";
+import { type KeyPress, latinKey } from "#ui/focus";
 import { changeView, flightStep, handObject, showWhole } from "./actions";
 import { flown, neared, panned, turned, withAngle } from "./camera";
 import { sight } from "./sight";
@@ -47,7 +47,7 @@ export function stageCommand(press: KeyPress): StageCommand | null {
   if (press.ctrlKey || press.metaKey || press.altKey) return null;
   const arrow = ARROWS[press.key];
   if (arrow) return { do: press.shiftKey ? "pan" : "hand", right: arrow[0], down: arrow[1] };
-  const way = FLIGHT[press.key.toLowerCase()];
+  const way = FLIGHT[latinKey(press).toLowerCase()];
   if (way) {
     // Shift is for a closer look.
     const by = press.shiftKey ? 0.1 : 1;

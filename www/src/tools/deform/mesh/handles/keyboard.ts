@@ -2,6 +2,7 @@
 
 import { announce } from "#document/notice";
 import { type Mesh, type Point, sizeOf } from "#geometry/mesh";
+import { latinKey } from "#ui/focus";
 import { mesh } from "../document";
 import { nudge, resetChosen } from "../edit";
 import { choose, chosen, clearChosen, lookAt, toggle } from "./chosen";
@@ -45,7 +46,7 @@ export function handleKey(index: number, event: KeyboardEvent): boolean {
     focusHandle(neighbour(now, index, arrow));
     return true;
   }
-  if (held && event.key.toLowerCase() === "a") {
+  if (held && latinKey(event).toLowerCase() === "a") {
     choose(Array.from({ length: count }, (_, i) => i));
     announce(`All ${count} handles chosen.`);
     return true;
