@@ -60,7 +60,7 @@ test("a page of another origin shows a morph, and drives it", async ({ page, bas
   expect((await heard()).findLast(({ type }) => type === "error")?.message).toContain("hammer");
   await expect.poll(async () => (await heard()).some(({ verdict }) => verdict !== undefined)).toBe(true);
   const out = frame.getByRole("link", { name: "Open in Frond" });
-  await expect(out).toHaveAttribute("href", /^\.\/#v=1&a=koch&b=gasket/);
+  await expect(out).toHaveAttribute("href", /^\.\/#v=1&check=[^&]+&a=koch&b=gasket/);
   server.close();
   server.closeAllConnections();
 });

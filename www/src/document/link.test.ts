@@ -54,6 +54,29 @@ function open(text: string): void {
 }
 
 describe("Link", () => {
+  it("writes a check word, and says where a link was cut off", () => {
+    const decodeScene = (text: string) => ({
+      scene: { ...blank, t: Number(/t=([\d.]+)/.exec(text)?.[1] ?? 0) },
+    });
+    const encodeScene = ({ t }: Scene) => `v=1&t=${t}&colour=map`;
+    link = new Link({ ...codec, decodeScene, encodeScene }, bar);
+    open("v=1&t=0.5&colour=map");
+    expect(notices.value).toEqual([]);
+    replace({ ...scene.peek(), t: 0.75 });
+    link.flush();
+    const written = bar.text;
+    expect(written).toMatch(/^v=1&check=[0-9a-z-]+&t=0.75&colour=map$/);
+    // One's own address is no link that was followed.
+    link.follow();
+    expect(canUndo.value).toBe(false);
+    bar.text = written.slice(0, -11);
+    link.follow();
+    expect(scene.peek().t).toBe(0.75);
+    expect(notices.value.map(({ text }) => text)).toEqual([
+      "This link was cut off after “t=0.75”. Ask for it again. Frond shows what is left of it.",
+    ]);
+  });
+
   it("does not write over a link that was followed while it waited", () => {
     open("t=0.5&turn=1");
     replace({ ...scene.peek(), t: 0.75 });

@@ -2,6 +2,7 @@
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { FrondError, Scene } from "#wasm/api";
 import { phasePlaying } from "./deform/bend";
+import { arrived, placeOf, withCheck } from "./link-mending";
 import { notify, wordsOf } from "./notice";
 import { playing, spacePlaying } from "./playback";
 import { edit, inGesture, scene, start } from "./scene";
@@ -43,7 +44,7 @@ export const openings = signal(0);
  * other fragment is a document. Lessons were among the figures once: `#figures/e1` leads to them still.
  */
 export function parseRoute(fragment: string): Route {
-  const match = /^(figures|learn)(?:\/([\w-]{1,32})(?:\/(\S*))?)?$/.exec(fragment);
+  const match = /^(figures|learn)(?:\/([\w-]{1,32})(?:\/(\S*))?)?$/.exec(placeOf(fragment));
   if (!match) return { page: "studio" };
   const [, place, figure = null, state = ""] = match;
   return { page: place === "learn" || /^e\d+$/i.test(figure ?? "") ? "learn" : "figures", figure, state };
@@ -97,7 +98,7 @@ export class Link {
   /** The present document, with a change, as a fragment; null when no link can hold it. */
   fragment(change: Partial<Scene> = {}): string | null {
     try {
-      return this.#codec.encodeScene({ ...scene.peek(), ...change });
+      return withCheck(this.#codec.encodeScene({ ...scene.peek(), ...change }));
     } catch {
       return null;
     }
@@ -130,7 +131,7 @@ export class Link {
     // A link was followed this moment, and the word of it is still on its way: writing would lose it.
     if (this.#address.read() !== this.#seen) return true;
     try {
-      this.#address.write(this.#codec.encodeScene(now));
+      this.#address.write(withCheck(this.#codec.encodeScene(now)));
       this.#seen = this.#address.read();
       this.#kept = now;
       return true;
@@ -142,15 +143,18 @@ export class Link {
 
   #decode(text: string): Scene {
     if (text === "") return this.#codec.defaultScene();
-    const { scene: opened, problem } = this.#codec.decodeScene(text);
-    if (problem) {
+    const { text: link, cutAfter } = arrived(text);
+    const { scene: opened, problem } = this.#codec.decodeScene(link);
+    const said = [];
+    if (cutAfter !== null) said.push(`This link was cut off after “${cutAfter}”. Ask for it again.`);
+    if (problem) said.push(problem.message);
+    if (said.length > 0) {
+      // Of a link of a later version, or of a part of one, it shows what it can.
+      const shown =
+        problem && problem.code !== "link-later" ? "what it begins with instead" : "what is left of it";
       notify({
         kind: "error",
-        // Of a link of a later version it shows what it can.
-        text:
-          problem.code === "link-later"
-            ? problem.message
-            : `${problem.message} Frond shows what it begins with instead.`,
+        text: problem?.code === "link-later" ? said.join(" ") : `${said.join(" ")} Frond shows ${shown}.`,
       });
     }
     return opened;

@@ -1,6 +1,7 @@
 /** The link of the document, and the ways in which it goes to others. */
 import { useEffect, useState } from "preact/hooks";
 import { ownPicture, pictureShown } from "#document/deform/picture";
+import { withCheck } from "#document/link-mending";
 import { notify, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import { exportOpen } from "#film/open";
@@ -176,7 +177,7 @@ function addressWith(start: "here" | "first", moves: Moves): string | null {
 /** What is seen of a document as a fragment; null where no link can hold it. */
 function fragmentOf(now: Scene): string | null {
   try {
-    return frond.encodeScene(seenOf(now, frond.defaultScene()));
+    return withCheck(frond.encodeScene(seenOf(now, frond.defaultScene())));
   } catch {
     return null;
   }

@@ -3,6 +3,7 @@
  * the tool it belongs to, as one step to undo.
  */
 import { signal } from "@preact/signals";
+import { arrived } from "#document/link-mending";
 import { notify, wordsOf } from "#document/notice";
 import { cameFrom, edit, lastStep } from "#document/scene";
 import { tool } from "#document/tool";
@@ -144,7 +145,7 @@ async function openPicture(file: File, head: Uint8Array): Promise<void> {
 }
 
 function openDocument(name: string, link: string): void {
-  const { scene, problem } = frond.decodeScene(link);
+  const { scene, problem } = frond.decodeScene(arrived(link).text);
   if (problem) throw problem;
   edit(() => scene);
   notify({ kind: "info", text: `Opened what ${name} was saved from. Undo brings back what was there.` });
@@ -165,7 +166,7 @@ export async function take(
   where: Where = "a",
 ): Promise<void> {
   const name = system.name || file.replace(ENDING, "") || "Maps";
-  const coloured = system.colours && where !== "b" ? ["Its colours are kept."] : [];
+  const coloured = system.dimension === 2 && system.colours && where !== "b" ? ["Its colours are kept."] : [];
   try {
     if (system.problem) throw new Error(system.problem);
     const said = [...system.remarks, ...remarks, ...weightsWords(system), ...coloured].join(" ");
