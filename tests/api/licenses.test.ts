@@ -53,6 +53,15 @@ describe("the licences that are shipped", () => {
     expect(() => licenseText([{ ...part, name: "sealed", license: "GPL-3.0-only" }, bare])).toThrow(
       /bare 1\.0\.0: bare brings no text.*\nsealed 1\.0\.0: .*"GPL-3\.0-only"/,
     );
+    // Of several crates of one owner one may bring the text for all.
+    const beside = mkdtempSync(join(tmpdir(), "frond-licenses-"));
+    writeFileSync(join(beside, "LICENSE"), "As we like.");
+    const own = { ...bare, source: "https://example.org/owner/a" };
+    const sibling = { ...own, name: "sibling", source: "https://example.org/owner/b", folder: beside };
+    expect(licenseText([own, sibling])).toContain("bare 1.0.0, sibling 1.0.0\n\nAs we like.");
+    expect(() => licenseText([own, { ...sibling, source: "https://example.org/else/b" }])).toThrow("no text");
+    expect(() => licenseText([own, { ...sibling, license: "Zlib" }])).toThrow("no text");
+    rmSync(beside, { recursive: true });
     writeFileSync(join(folder, "LICENSE"), "As you like.");
     const text = licenseText([bare, { ...bare, name: "other" }]);
     expect(text).toContain("bare 1.0.0, other 1.0.0\n\nAs you like.");

@@ -145,8 +145,12 @@ export function scripts(): Part[] {
     });
 }
 
+/** Who a part is by: the owner of its repository. */
+const ownerOf = ({ source }: Part): string => source.split("/").slice(0, 4).join("/");
+
 /** What the files of a part say of the licences it is taken by. */
-function texts({ name, folder, license }: Part): string[] {
+function texts(part: Part, all: readonly Part[]): string[] {
+  const { name, folder, license } = part;
   const ways = chosen(license);
   const files = readdirSync(folder).filter((file) => LICENSE_FILE.test(file));
   const named = files.filter(
@@ -157,6 +161,10 @@ function texts({ name, folder, license }: Part): string[] {
   if (wanted.length > 0) return wanted.map((file) => readFileSync(join(folder, file), "utf8"));
   // Some forget their file. That of Apache names nobody, and so is the same for all.
   if (/Apache-2\.0/.test(license)) return [readFileSync(join(root, "LICENSE-APACHE"), "utf8")];
+  // What is by the same owner has the same text.
+  for (const other of all.filter((one) => one.license === license && ownerOf(one) === ownerOf(part)))
+    for (const file of readdirSync(other.folder).filter((one) => LICENSE_FILE.test(one)))
+      return [readFileSync(join(other.folder, file), "utf8")];
   throw new Error(`${name} brings no text of its licence, ${license}`);
 }
 
@@ -168,7 +176,7 @@ export function licenseText(parts: readonly Part[]): string {
   for (const part of [...parts].sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0))) {
     const { name, version, license, source } = part;
     try {
-      for (const text of texts(part)) {
+      for (const text of texts(part, parts)) {
         const same = text.replaceAll("\r\n", "\n").trim();
         about.set(same, [...new Set([...(about.get(same) ?? []), `${name} ${version}`])]);
       }

@@ -97,6 +97,8 @@ pub use outline::{
     decimated, features, fidelity,
 };
 pub use preset::{CurvePreset, curve_preset, curve_presets};
+#[cfg(feature = "svg")]
+pub use read::read_drawing;
 pub use read::{FileContent, FileKind, NamedOutline, ReadAs, ReadError, Remark, read_file, sniff};
 pub use segment::{
     Channel, Component, MAX_PIXELS, Mask, MaskOptions, Notice, Stroke, TraceError, Traced, Tracer,

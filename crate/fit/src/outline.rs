@@ -182,6 +182,21 @@ impl Outline {
         Self { points: (0..count).map(point).collect() }
     }
 
+    /// The same outline with at least `least` points: corners stay, and sides are parted evenly, the longest
+    /// into most.
+    #[must_use]
+    pub fn subdivided(&self, least: usize) -> Self {
+        let missing = least.min(MAX_POINTS).saturating_sub(self.points.len()) as f64;
+        let whole = self.length();
+        let mut points = Vec::with_capacity(self.points.len() + missing as usize);
+        for (i, &from) in self.points.iter().enumerate() {
+            let to = self.points[self.after(i)];
+            let parts = 1 + (missing * from.distance(to) / whole).ceil() as usize;
+            points.extend((0..parts).map(|k| from.lerp(to, k as f64 / parts as f64)));
+        }
+        Self { points }
+    }
+
     /// A smoother outline of as many points at equal distances: averaged along itself with a bell of standard deviation
     /// `width` (in plane units; 0, negative or NaN does nothing, and it is held to a tenth of the length).
     #[must_use]

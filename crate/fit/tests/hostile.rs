@@ -58,18 +58,19 @@ fn svg(inside: &str) -> String {
 fn shapes_have_few_points_however_small_or_large_they_are() {
     let _alone = alone();
     for (shape, told) in [
-        ("<ellipse rx='1e-300' ry='3'/>", "flat"),
+        ("<ellipse rx='1e-300' ry='3'/>", "nothing"),
         ("<ellipse rx='1e-9' ry='3'/>", "svg"),
         ("<rect width='4' height='3' rx='5e-324'/>", "svg"),
         ("<rect width='4' height='3' rx='1e-300' ry='1'/>", "svg"),
-        ("<circle r='5e-324'/>", "flat"),
-        ("<circle r='1e-100'/>", "svg"),
+        ("<circle r='5e-324'/>", "nothing"),
+        ("<circle r='1e-100'/>", "nothing"),
         ("<circle r='1e9'/>", "svg"),
         ("<path d='M0 0a5e82 2 3 0 1 2 1z'/>", "nothing"),
         ("<path d='M0 0a1e-300 2 3 1 1 2 1z'/>", "too-few-points"),
         ("<path d='M0 0a5 5e-324 1e300 1 0 2 1h1v3z'/>", "svg"),
         ("<path transform='scale(1e300)scale(1e300)' d='M0 0h1v1z'/>", "nothing"),
-        ("<path transform='scale(nan)' d='M0 0h1v1z'/>", "nothing"),
+        // As browsers do, a transform that is miswritten is left out.
+        ("<path transform='scale(nan)' d='M0 0h1v1z'/>", "too-few-points"),
         ("<path transform='matrix(1e-300 0 0 1e300 0 0)' d='M0 0C1 2 3 4 5 6z'/>", "nothing"),
         ("<polygon points='nan,0 inf,1 1e999,3 2,2'/>", "nothing"),
         // What is far away says how finely the rest is seen.
@@ -85,16 +86,16 @@ fn shapes_have_few_points_however_small_or_large_they_are() {
 fn many_uses_and_attributes_take_no_more_time_than_they_are_long() {
     let _alone = alone();
     let many = |count: usize, one: &dyn Fn(usize) -> String| (0..count).map(one).collect::<String>();
-    let defined = many(165_000, &|i| format!("<path id='p{i}' d='M0 0h1v1z'/>"));
-    let used = |count| many(count, &|i| format!("<use href='#p{}' x='{i}'/>", 164_999 - i % 100));
+    let defined = many(22_000, &|i| format!("<path id='p{i}' d='M0 0h1v1z'/>"));
+    let used = |count| many(count, &|i| format!("<use href='#p{}' x='{i}'/>", 21_999 - i % 100));
     let drawing = |count| svg(&format!("<defs>{defined}</defs>{}", used(count)));
     assert_eq!(code(&read(drawing(9_000).as_bytes())), "too-few-points");
     assert_eq!(code(&read(drawing(15_000).as_bytes())), "too-many");
     let list = many(100_000, &|i| format!(" a{i}='1'"));
-    assert_eq!(code(&read(svg(&format!("<path d='M0 0h9v9h-9z'{list}/>")).as_bytes())), "svg");
+    assert_eq!(code(&read(svg(&format!("<path d='M0 0h9v9h-9z'{list}/>")).as_bytes())), "too-many");
     let prefixes = many(20_000, &|i| format!(" xmlns:a{i}='u{i}'"));
     let children = many(5_000, &|i| format!("<g xmlns:b{i}='v'/>"));
-    assert_eq!(code(&read(svg(&format!("<g{prefixes}>{children}</g>")).as_bytes())), "nothing");
+    assert_eq!(code(&read(svg(&format!("<g{prefixes}>{children}</g>")).as_bytes())), "too-many");
 }
 
 #[test]
@@ -108,7 +109,13 @@ fn what_is_used_again_and_again_is_refused() {
             format!("<g id='a'><use href='#a'/>{}</g>", "<rect width='1' height='2'/>".repeat(190_000)),
             "too-many",
         ),
-        (format!("<g id='a'><use href='#a'/><use href='#a'/>{}</g>", path(3)), "too-many"),
+        // What uses itself is drawn once.
+        (format!("<g id='a'><use href='#a'/><use href='#a'/>{}</g>", path(3)), "svg"),
+        (
+            "<g id='a'><use href='#b'/><use href='#b'/></g><g id='b'><use href='#a'/><use href='#a'/></g>"
+                .into(),
+            "nothing",
+        ),
     ] {
         assert_eq!(code(&read(svg(&inside).as_bytes())), told, "{}", &inside[..60]);
     }
@@ -126,14 +133,15 @@ fn large_files_of_small_things_take_little_more_than_themselves() {
     let ring = format!("[[0,0]{}]", ",[3.125,4.5]".repeat(100));
     for (text, told) in [
         (path("z"), "nothing"),
-        (path("h1v1"), "flat"),
+        (path("h1v1"), "too-many"),
         (path("M0 0h1"), "too-few-points"),
         (path("M0 0h1v1h-1"), "svg"),
         (path("C9 9 0 9 1 0C-9-9 0-9-1 0"), "too-many"),
-        (path("a1 1 0 1 1 1 0"), "svg"),
+        (path("a1 1 0 1 1 1 0"), "too-many"),
+        (path("a0.5,0.125 10 1 1 0.25,0.5 "), "svg"),
         (svg(&fill("<g/>")), "too-many"),
         (svg(&fill("<g>")), "too-many"),
-        (svg(&format!("<path {}/>", fill("a='' "))), "nothing"),
+        (svg(&format!("<path {}/>", fill("a='' "))), "too-many"),
         (svg(&format!("<path id='{}' d='M0 0h1v1h-1z'/>", fill("&amp;"))), "svg"),
         (svg(&format!("<path transform='matrix({})' d='M0 0h1v1h-1z'/>", fill("1 "))), "svg"),
         (svg(&format!("<text>{}</text><path d='M0 0h1v1h-1z'/>", fill("a&b;<![CDATA[x]]>"))), "svg"),
@@ -247,16 +255,37 @@ fn element() -> impl Strategy<Value = String> {
         size().prop_map(|n| format!("ellipse cx='{}' cy='{}' rx='{}' ry='{}'", n[0], n[1], n[2], n[3])),
         (0..8, number()).prop_map(|(id, x)| format!("use href='#i{id}' x='{x}'")),
     ];
-    (shape, transform(), 0..8)
-        .prop_map(|(shape, transform, id)| format!("<{shape} id='i{id}' transform='{transform}'/>"))
+    (shape, transform(), 0..8, look()).prop_map(|(shape, transform, id, look)| {
+        format!("<{shape} id='i{id}' class='c{id}' transform='{transform}'{look}/>")
+    })
+}
+
+/// What clips, hides or moves an element.
+fn look() -> impl Strategy<Value = String> {
+    let length = || (number(), proptest::sample::select(vec!["", "px", "%", "em", "mm"]));
+    prop_oneof![
+        6 => Just(String::new()),
+        2 => (0..8).prop_map(|id| format!(" clip-path='url(#i{id})'")),
+        1 => (0..8).prop_map(|id| format!(" mask='url(#i{id})'")),
+        1 => Just(" visibility='hidden'".into()),
+        1 => (number(), number()).prop_map(|(x, turn)| format!(
+            " style='transform:translate({x}px,5%) rotate({turn}deg);transform-box:fill-box;transform-origin:center'"
+        )),
+        1 => (length(), length()).prop_map(|((x, a), (r, b))| format!(
+            " style='cx:{x}{a};r:{r}{b};width:{r}{b};fill-rule:evenodd;scale:{x}'"
+        )),
+        1 => numbers(4).prop_map(|sides| format!(" viewBox='{sides}' preserveAspectRatio='xMidYMid slice'")),
+    ]
 }
 
 fn drawing() -> impl Strategy<Value = String> {
     let group = |inner: BoxedStrategy<String>| {
-        let name = prop_oneof![3 => Just("g"), 1 => Just("symbol"), 1 => Just("defs"), 1 => Just("svg")];
-        (name, 0..8, transform(), proptest::collection::vec(inner, 1..5)).prop_map(
-            |(name, id, transform, inner)| {
-                format!("<{name} id='i{id}' transform='{transform}'>{}</{name}>", inner.concat())
+        let name = proptest::sample::select(vec![
+            "g", "g", "g", "symbol", "defs", "svg", "clipPath", "mask", "pattern",
+        ]);
+        (name, 0..8, transform(), look(), proptest::collection::vec(inner, 1..5)).prop_map(
+            |(name, id, transform, look, inner)| {
+                format!("<{name} id='i{id}' transform='{transform}'{look}>{}</{name}>", inner.concat())
             },
         )
     };
@@ -267,12 +296,16 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(400)))]
 
     #[test]
-    fn no_drawing_takes_much_memory_or_has_many_points(list in proptest::collection::vec(drawing(), 1..6)) {
+    fn no_drawing_takes_much_memory_or_has_many_points(
+        list in proptest::collection::vec(drawing(), 1..6),
+        rule in look(),
+    ) {
         let _alone = alone();
-        let text = svg(&list.concat());
+        let rule = rule.trim_start_matches(" style='").trim_end_matches('\'').to_owned();
+        let text = svg(&format!("<style>.c1{{{rule}}}</style>{}", list.concat()));
         let outcome = read(text.as_bytes());
         if let Err(error) = &outcome {
-            let told = ["nothing", "flat", "too-few-points", "too-many"].contains(&error.code());
+            let told = ["nothing", "flat", "too-few-points", "too-many", "broken"].contains(&error.code());
             prop_assert!(told, "{error:?}: {text}");
         }
         // Two letters may draw a curve, and it has some hundred sides at most; few elements use all others.

@@ -9,8 +9,8 @@
 //!
 //! 1. `boundary`: how values cross. `value` reads and writes maps and options, `error` is what is thrown.
 //! 2. `compute`: what describes and draws. `shape` shows best how a function is exported.
-//! 3. `bend`, `proof`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`: a folder or a file for each of the
-//!    other modules, a file for what belongs together.
+//! 3. `bend`, `proof`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`, `text_file` (`fit` and `svg`): a folder
+//!    or a file for each of the other modules, a file for what belongs together.
 //! 4. `renderers`: the stages of `frond-render` on a canvas, for WebGPU and for WebGL2.
 //!
 //! Each folder is a feature of the crate, and `cargo xtask build` makes a module of each, and one of `compute` and
@@ -53,6 +53,8 @@ mod proof;
 mod renderers;
 #[cfg(feature = "space")]
 pub mod space;
+#[cfg(any(feature = "fit", feature = "svg"))]
+pub mod text_file;
 
 #[cfg(feature = "bend")]
 pub use bend::*;
@@ -78,6 +80,7 @@ use wasm_bindgen::prelude::*;
         feature = "proof",
         feature = "fit",
         feature = "space",
+        feature = "svg",
         feature = "exchange",
         feature = "directed",
         feature = "morph"

@@ -23,11 +23,13 @@ const MOST_SCRIPT_BYTES: usize = 80_000;
 
 /// Bytes of the script of `<frond-view>`, which holds all that an attractor needs, at most.
 const MOST_ELEMENT_BYTES: usize = 150_000;
+/// Bytes of the module that reads drawings, at most.
+const MOST_SVG_BYTES: usize = 300_000;
 
 /// Weighs dist/ and fails where it is too heavy.
 ///
 /// What comes after the first picture is only weighed: the workers' module, which decides and proves, those of what
-/// bends, of the fit, of space and of files.
+/// bends, of the fit, of space and of files. That of drawings has a limit, since it is another's library.
 pub fn gate() -> Outcome {
     let dist = root().join("dist");
     let weigh =
@@ -46,6 +48,7 @@ pub fn gate() -> Outcome {
             }
         };
     let (first, proof, fit) = (weigh("frond-first_bg")?, weigh("frond-proof_bg")?, weigh("frond-fit_bg")?);
+    let svg = weigh("frond-svg_bg")?;
     let bend = weigh("frond-bend_bg")?;
     let (curve, space) = (weigh("frond-curve_bg")?, weigh("frond-space_bg")?);
     let (exchange, directed) = (weigh("frond-exchange_bg")?, weigh("frond-directed_bg")?);
@@ -64,6 +67,7 @@ pub fn gate() -> Outcome {
         ("wasm that bends", bend, None),
         ("wasm of closed curves", curve, None),
         ("wasm that fits outlines", fit, None),
+        ("wasm that reads drawings", svg, Some(MOST_SVG_BYTES)),
         ("wasm of space", space, None),
         ("wasm of files", exchange, None),
         ("wasm of several states", directed, None),

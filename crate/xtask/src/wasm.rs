@@ -22,6 +22,9 @@ const OPTIMISE: &str = "--low-memory-unused -O3 -O3 --skip-pass=inlining-optimiz
     --enable-sign-ext --enable-mutable-globals --enable-reference-types --enable-multivalue \
     --enable-call-indirect-overlong";
 
+/// Makes what frond-fit brings of its libraries' code as small as the libraries themselves.
+const SMALL: &str = "--config profile.release.package.frond-fit.opt-level=\"z\"";
+
 /// What lies in a crate's folder and is no part of a module.
 const NO_SOURCES: [&str; 5] = ["tests", "benches", "examples", "pkg", "webdriver.json"];
 
@@ -105,7 +108,7 @@ fn crates(features: &str) -> Outcome<Vec<PathBuf>> {
 
 /// The hash of the settings and of the sources in these folders, without tests.
 fn hash(folders: &[PathBuf]) -> Outcome<String> {
-    let mut hash = Hash::new(&[OPTIMISE]);
+    let mut hash = Hash::new(&[OPTIMISE, SMALL]);
     for file in ["Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml", "package-lock.json"]
     {
         hash.path(&root().join(file))?;
@@ -134,8 +137,10 @@ fn make(modules: &[Stale], pkg: &Path) -> Outcome {
         let mut finishing = Vec::new();
         for module in modules.iter().rev() {
             let (name, features) = (module.name, module.features);
+            // What reads drawings is another's library for the most part, and waits for a file, not for a frame.
+            let small = if name == "frond-svg" { SMALL } else { "" };
             run(&mut cargo_wasm(&format!(
-                "build --package frond-web --lib --release --target {WASM_TARGET} --no-default-features --features {features}"
+                "build --package frond-web --lib --release --target {WASM_TARGET} --no-default-features --features {features} {small}"
             )))?;
             // The next one is built in the same place.
             let raw = made.join(format!("{name}.raw.wasm"));

@@ -11,16 +11,6 @@ pub enum FitError {
         /// What was asked for.
         numbers: usize,
     },
-    /// The outline has not more points than the fit has knots.
-    #[error(
-        "The outline has {points} points, too few for a fit of {numbers} numbers. Ask for fewer, or take a finer outline."
-    )]
-    OutlineTooCoarse {
-        /// Points of the outline.
-        points: usize,
-        /// What was asked for.
-        numbers: usize,
-    },
 }
 
 impl FitError {
@@ -29,7 +19,6 @@ impl FitError {
     pub const fn code(&self) -> &'static str {
         match self {
             Self::BadNumbers { .. } => "bad-numbers",
-            Self::OutlineTooCoarse { .. } => "outline-too-coarse",
         }
     }
 }

@@ -43,17 +43,19 @@ impl Fitter {
     /// Begins a fit of at most `numbers` numbers: 2 a knot, 2 a copied edge.
     ///
     /// # Errors
-    /// Where the numbers are not between 12 and 2000, or the outline has too few points for them.
+    /// Where the numbers are not between 12 and 2000.
     pub fn new(outline: &Outline, numbers: usize) -> Result<Self, FitError> {
         if numbers < NUMBER_RANGE.0 || numbers > NUMBER_RANGE.1 {
             return Err(FitError::BadNumbers { numbers });
         }
         let pairs = numbers / 2;
         let points = outline.points().len();
-        if points < pairs.max(8) {
-            return Err(FitError::OutlineTooCoarse { points, numbers });
-        }
-        let outline = if points > MAX_PREPARED { outline.resampled(MAX_PREPARED) } else { outline.clone() };
+        let outline = match points {
+            // Of few corners there is more to follow along the sides.
+            _ if points < pairs.max(8) => outline.subdivided(4 * pairs.max(8)),
+            _ if points > MAX_PREPARED => outline.resampled(MAX_PREPARED),
+            _ => outline.clone(),
+        };
         let diagonal = outline.diagonal();
         let straight = Straight::new(&outline, pairs, Guard::new(&outline));
         let (curve, error) = straight.best();

@@ -1,10 +1,14 @@
 //! A file of any kind: what it is, and what is in it.
 
+use std::borrow::Cow;
+
 use super::content::FileContent;
 use super::gather::{About, FEWEST_POINTS, Gathered, fewer};
 use super::problem::{ReadError, Remark};
 use super::sniff::{FileKind, sniff};
-use super::{geo, svg, table, text};
+#[cfg(feature = "svg")]
+use super::svg;
+use super::{geo, table, text};
 use crate::outline::{MAX_OUTLINE, thinned};
 
 /// The most bytes of a text.
@@ -36,6 +40,28 @@ pub enum ReadAs {
 /// # Errors
 /// Where the file is something else, too large, or has no outline and no numbers.
 pub fn read_file(bytes: &[u8], read_as: ReadAs) -> Result<FileContent, ReadError> {
+    let (kind, text) = opened(bytes)?;
+    match kind {
+        #[cfg(feature = "svg")]
+        FileKind::Svg => svg::read_svg(&text),
+        #[cfg(not(feature = "svg"))]
+        FileKind::Svg => Err(ReadError::Drawing),
+        FileKind::Json => geo::read_geo(&text),
+        _ => table_content(&text, read_as),
+    }
+}
+
+/// Reads a drawing (SVG) alone: less code, where others read the rest.
+///
+/// # Errors
+/// Where it is too large, or has no outline.
+#[cfg(feature = "svg")]
+pub fn read_drawing(bytes: &[u8]) -> Result<FileContent, ReadError> {
+    svg::read_svg(&opened(bytes)?.1)
+}
+
+/// What a text is, and the text.
+fn opened(bytes: &[u8]) -> Result<(FileKind, Cow<'_, str>), ReadError> {
     let kind = sniff(bytes);
     match kind {
         FileKind::Empty => return Err(ReadError::Empty),
@@ -46,12 +72,7 @@ pub fn read_file(bytes: &[u8], read_as: ReadAs) -> Result<FileContent, ReadError
     if bytes.len() > MAX_BYTES {
         return Err(ReadError::TooLarge { megabytes: bytes.len() >> 20 });
     }
-    let text = text::decode(bytes);
-    match kind {
-        FileKind::Svg => svg::read_svg(&text),
-        FileKind::Json => geo::read_geo(&text),
-        _ => table_content(&text, read_as),
-    }
+    Ok((kind, text::decode(bytes)))
 }
 
 fn table_content(text: &str, read_as: ReadAs) -> Result<FileContent, ReadError> {

@@ -36,9 +36,12 @@ pub enum ReadError {
         /// What and where.
         why: String,
     },
-    /// The drawing defines entities, which can be made to grow without end.
-    #[error("The drawing defines entities (<!ENTITY>), which are not read. Save it again as plain SVG.")]
+    /// The drawing has entities that hold each other and grow without end.
+    #[error("The drawing has entities (<!ENTITY>) that grow without end. Save it again as plain SVG.")]
     Entities,
+    /// A drawing, where the feature `svg` is left out.
+    #[error("This is a drawing (SVG), and this build reads none: the feature “svg” is left out.")]
+    Drawing,
     /// The drawing has more than is looked at.
     #[error("The drawing has too many {what}: at most {most} are looked at. Leave only the outline in it.")]
     TooMany {
@@ -112,6 +115,7 @@ impl ReadError {
             Self::Unknown { .. } => "unknown-file",
             Self::Broken { .. } => "broken",
             Self::Entities => "entities",
+            Self::Drawing => "drawing",
             Self::TooMany { .. } => "too-many",
             Self::Nothing { .. } => "nothing",
             Self::NoNumbers { .. } => "no-numbers",

@@ -1,51 +1,15 @@
-//! From files to outlines: pictures are traced, texts are read.
+//! From pictures to outlines.
 
-use frond_fit::{
-    FileContent, Mask, MaskOptions, Notice, ReadAs, ReadError, Remark, Stroke, TraceError, Tracer, read_file,
-};
-use glam::DVec2;
-use js_sys::{Array, Float64Array, Uint8Array};
+use frond_fit::{Mask, MaskOptions, Stroke, TraceError, Tracer};
+use js_sys::Uint8Array;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::failure;
 use crate::boundary::value::{object, read, write};
-
-#[derive(Serialize)]
-struct Warning {
-    code: &'static str,
-    message: String,
-}
-
-impl From<&Notice> for Warning {
-    fn from(notice: &Notice) -> Self {
-        Self { code: notice.code(), message: notice.message() }
-    }
-}
-
-impl From<&Remark> for Warning {
-    fn from(remark: &Remark) -> Self {
-        Self { code: remark.code, message: remark.message.clone() }
-    }
-}
-
-fn warnings<'a, T: 'a>(all: &'a [T]) -> Result<JsValue, JsValue>
-where
-    Warning: From<&'a T>,
-{
-    write(&all.iter().map(Warning::from).collect::<Vec<_>>())
-}
-
-fn flat(points: &[DVec2]) -> JsValue {
-    let numbers: Vec<f64> = points.iter().flat_map(|p| p.to_array()).collect();
-    Float64Array::from(&numbers[..]).into()
-}
+use crate::text_file::{flat, warnings};
 
 fn of_trace(error: &TraceError) -> JsValue {
-    failure(error.code(), &error.to_string())
-}
-
-fn of_read(error: &ReadError) -> JsValue {
     failure(error.code(), &error.to_string())
 }
 
@@ -159,44 +123,5 @@ impl PictureTracer {
             ("length", traced.length().into()),
             ("warnings", warnings(&traced.notices)?),
         ]))
-    }
-}
-
-/// Reads a text file: SVG, a table of numbers, or GeoJSON. `take` is `"outlines"`, `"series"` or undefined, and counts
-/// for tables.
-#[wasm_bindgen(js_name = readTextFile)]
-pub fn read_text_file(bytes: &[u8], take: Option<String>) -> Result<JsValue, JsValue> {
-    let read_as = match take.as_deref() {
-        Some("outlines") => ReadAs::Outlines,
-        Some("series") => ReadAs::Series,
-        _ => ReadAs::Guess,
-    };
-    match read_file(bytes, read_as).map_err(|error| of_read(&error))? {
-        FileContent::Series { points, remarks, or_outline } => Ok(object(&[
-            ("kind", "series".into()),
-            ("format", "csv".into()),
-            ("points", flat(&points)),
-            ("orOutline", or_outline.into()),
-            ("warnings", warnings(&remarks)?),
-        ])),
-        FileContent::Outlines { format, outlines, remarks } => {
-            let list: Array = outlines
-                .iter()
-                .map(|one| {
-                    object(&[
-                        ("name", (&one.name).into()),
-                        ("points", flat(one.outline.points())),
-                        ("area", one.outline.area().into()),
-                        ("crossings", one.crossings.map_or(JsValue::NULL, |count| (count as f64).into())),
-                    ])
-                })
-                .collect();
-            Ok(object(&[
-                ("kind", "outlines".into()),
-                ("format", format.into()),
-                ("outlines", list.into()),
-                ("warnings", warnings(&remarks)?),
-            ]))
-        }
     }
 }

@@ -5,17 +5,19 @@ use kurbo::{PathEl, Point, Rect};
 
 use super::super::gather::{About, Gathered, Line};
 use super::super::problem::ReadError;
-use super::shape::{MAX_POINTS, Shape, draw};
+use super::visible::{Drawn, Shape, elements};
 use crate::outline::bounds;
 
 /// Curves are flattened to this part of the diagonal of all.
-const FLATNESS: f64 = 5e-5;
+pub const FLATNESS: f64 = 5e-5;
+/// Points of all lines once their curves are flattened.
+const MAX_POINTS: usize = 1 << 23;
 
 /// The largest parts, each known by its shape and its place in it, and how many parts each shape has.
 pub type Parts = (Gathered<(usize, usize)>, Vec<usize>);
 
 /// The parts of all shapes as lines with y up.
-pub fn flatten(shapes: &[Shape<'_>], around: Option<Rect>, page: Option<Rect>) -> Result<Parts, ReadError> {
+pub fn flatten(shapes: &[Shape<'_>], around: Option<Rect>, page: Rect) -> Result<Parts, ReadError> {
     let size = around.map_or(0.0, |around| around.size().to_vec2().hypot());
     let mut pencil = Pencil {
         tolerance: (FLATNESS * size).max(1e-12),
@@ -29,8 +31,17 @@ pub fn flatten(shapes: &[Shape<'_>], around: Option<Rect>, page: Option<Rect>) -
     };
     for shape in shapes {
         pencil.parts.push(0);
-        pencil.page = page.filter(|_| shape.simple);
-        draw(&shape.tag, &mut |element| pencil.draw(shape.place * element));
+        pencil.page = shape.simple.then_some(page);
+        match &shape.drawn {
+            Drawn::Path(path, place) => elements(path).for_each(|element| pencil.draw(*place * element)),
+            Drawn::Cut(region) => {
+                for line in region {
+                    line.iter().for_each(|&[x, y]| pencil.push(Point::new(x, y)));
+                    pencil.closed = true;
+                    pencil.lift();
+                }
+            }
+        }
         pencil.lift();
         if pencil.count >= MAX_POINTS {
             return Err(ReadError::TooMany { what: "points", most: MAX_POINTS });

@@ -1,0 +1,100 @@
+//! From text files to outlines and series. Drawings are read by the module of the feature `svg`, which is as large as
+//! all the rest of the fit: it is fetched when somebody opens one.
+
+#[cfg(feature = "svg")]
+use frond_fit::read_drawing;
+use frond_fit::{FileContent, Notice, ReadError, Remark};
+#[cfg(feature = "fit")]
+use frond_fit::{ReadAs, read_file};
+use glam::DVec2;
+use js_sys::{Array, Float64Array};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use crate::boundary::error::failure;
+use crate::boundary::value::{object, write};
+
+#[derive(Serialize)]
+pub(crate) struct Warning {
+    code: &'static str,
+    message: String,
+}
+
+impl From<&Notice> for Warning {
+    fn from(notice: &Notice) -> Self {
+        Self { code: notice.code(), message: notice.message() }
+    }
+}
+
+impl From<&Remark> for Warning {
+    fn from(remark: &Remark) -> Self {
+        Self { code: remark.code, message: remark.message.clone() }
+    }
+}
+
+pub(crate) fn warnings<'a, T: 'a>(all: &'a [T]) -> Result<JsValue, JsValue>
+where
+    Warning: From<&'a T>,
+{
+    write(&all.iter().map(Warning::from).collect::<Vec<_>>())
+}
+
+pub(crate) fn flat(points: &[DVec2]) -> JsValue {
+    let numbers: Vec<f64> = points.iter().flat_map(|p| p.to_array()).collect();
+    Float64Array::from(&numbers[..]).into()
+}
+
+fn of_read(error: &ReadError) -> JsValue {
+    failure(error.code(), &error.to_string())
+}
+
+/// Reads a text file: a table of numbers or GeoJSON. `take` is `"outlines"`, `"series"` or undefined, and counts for
+/// tables. A drawing is thrown back with the code `drawing`.
+#[cfg(feature = "fit")]
+#[wasm_bindgen(js_name = readTextFile)]
+pub fn read_text_file(bytes: &[u8], take: Option<String>) -> Result<JsValue, JsValue> {
+    let read_as = match take.as_deref() {
+        Some("outlines") => ReadAs::Outlines,
+        Some("series") => ReadAs::Series,
+        _ => ReadAs::Guess,
+    };
+    written(read_file(bytes, read_as))
+}
+
+/// Reads a drawing (SVG), in the same shape.
+#[cfg(feature = "svg")]
+#[wasm_bindgen(js_name = readDrawing)]
+pub fn drawing(bytes: &[u8]) -> Result<JsValue, JsValue> {
+    written(read_drawing(bytes))
+}
+
+fn written(content: Result<FileContent, ReadError>) -> Result<JsValue, JsValue> {
+    match content.map_err(|error| of_read(&error))? {
+        FileContent::Series { points, remarks, or_outline } => Ok(object(&[
+            ("kind", "series".into()),
+            ("format", "csv".into()),
+            ("points", flat(&points)),
+            ("orOutline", or_outline.into()),
+            ("warnings", warnings(&remarks)?),
+        ])),
+        FileContent::Outlines { format, outlines, remarks } => {
+            let list: Array = outlines
+                .iter()
+                .map(|one| {
+                    object(&[
+                        ("name", (&one.name).into()),
+                        ("points", flat(one.outline.points())),
+                        ("area", one.outline.area().into()),
+                        ("crossings", one.crossings.map_or(JsValue::NULL, |count| (count as f64).into())),
+                    ])
+                })
+                .collect();
+            Ok(object(&[
+                ("kind", "outlines".into()),
+                ("format", format.into()),
+                ("outlines", list.into()),
+                ("warnings", warnings(&remarks)?),
+            ]))
+        }
+    }
+}
