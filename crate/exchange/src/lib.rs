@@ -18,7 +18,7 @@
 //! | file | what of it |
 //! |---|---|
 //! | Fractint's `.ifs`, and others like it | six or seven numbers a map, in space (`(3D)`) twelve or thirteen |
-//! | `.flame` (flam3, Apophysis, JWildfire) | the linear part of transforms, with `post`, and their colours |
+//! | `.flame` (flam3, Apophysis, JWildfire) | the linear part of transforms, in space too, with `post`, and their colours |
 //! | `.aifs` (IFStile) | maps of numbers, their products and one equation of a set; `read/ifstile.rs` says what else |
 //! | JSON | `{ maps }` as the programming interface has it, alone or several; whole documents |
 //! | tables | six or seven columns, in space twelve or thirteen |

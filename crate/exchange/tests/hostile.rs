@@ -116,6 +116,13 @@ fn what_one_line_says_is_not_looked_at_for_each_thing_anew() {
     assert_eq!(code(&flames), "flame-number");
     let keys = fill(&format!("{}='1' ", fill("_", 40_000)), (8 << 20) - 100);
     assert_eq!(code(&format!("<flame><xform {keys}/></flame>")), "flame-not-affine");
+    let words = fill(&format!("{}='x' ", fill("_", 90)), (8 << 20) - 100);
+    assert_eq!(code(&format!("<flame><xform weight='0' {words}/></flame>")), "flame-not-affine");
+    let commas = fill("0,5 ", (8 << 20) - 100);
+    assert_eq!(code(&format!("<flame><xform coefs='{commas}'/></flame>")), "flame-number");
+    assert_eq!(code(&format!("<flame><xform weight='{commas}'/></flame>")), "flame-number");
+    let groups = fill("<variationGroup a='1' b_c='1'/>", (8 << 20) - 100);
+    assert_eq!(code(&format!("<flame><xform>{groups}</xform></flame>")), "flame-not-affine");
     // Many braces before one long remark.
     assert_eq!(code(&format!("a{};{}", fill("{}", 1 << 19), fill("x", (1 << 19) - 9))), "ifs-count");
     // Thousands of blocks that have all of one large block: its names, a long value named often, its own name.
@@ -192,10 +199,26 @@ fn flame() -> impl Strategy<Value = String> {
         "chaos",
         "name",
         "x:y",
+        "yzCoefs",
+        "zxPost",
+        "ztranslate",
+        "pre_zscale",
+        "opacity",
+        "enabled",
+        "jwf_julian#1#",
+        "#",
     ]);
     let attribute = (key, prop_oneof![numbers(), Just("&lt;&bad;".to_owned())])
         .prop_map(|(key, value)| format!("{key}=\"{value}\""));
-    let tag = proptest::sample::select(vec!["xform", "finalxform", "flame", "color", "symmetry", "motion"]);
+    let tag = proptest::sample::select(vec![
+        "xform",
+        "finalxform",
+        "flame",
+        "color",
+        "symmetry",
+        "motion",
+        "variationGroup",
+    ]);
     let element = (tag, proptest::collection::vec(attribute, 0..6), any::<bool>())
         .prop_map(|(tag, list, open)| format!("<{tag} {}{}>", list.join(" "), if open { "" } else { "/" }));
     let odd = prop_oneof![

@@ -7,9 +7,17 @@
 //! points down. `color` says where on the flame's palette a transform is: the colour there is kept.
 //!
 //! A transform of weight 0 is never chosen, and no part of the picture that other programs draw: it is left out, but
-//! from flames that Frond wrote, whose shape has all maps.
+//! from flames that Frond wrote, whose shape has all maps. So is one with `enabled="0"`. One whose points are not drawn
+//! (`opacity="0"`, `plotmode="off"`) takes part all the same, since the others copy its points: its map is kept, and a
+//! remark says that Frond draws them, too. Transforms that move z make a system of space; `depth` says how.
+//!
+//! What is read: `attributes` and `numbers` first, then `transform`, `depth`, `transforms` (all of a flame), `palette`.
 
+mod attributes;
+mod depth;
+mod numbers;
 mod palette;
+mod transform;
 mod transforms;
 
 use quick_xml::Reader;
@@ -57,16 +65,23 @@ pub fn read_flames(text: &str) -> Result<Gathered, ImportError> {
             Event::Empty(tag) if is_flame(tag.name().as_ref()) => finish(Flame::new(&tag, lines.line(at))),
             Event::Start(tag) if is_layer(tag.name().as_ref()) => {
                 if let Some(flame) = open.take() {
-                    open = Some(flame.layer(lines.line(at)));
+                    open = Some(flame.layer(&tag, lines.line(at)));
                     if flame.layers > 0 || flame.count > 0 {
                         finish(flame);
                     }
                 }
             }
-            Event::Start(tag) | Event::Empty(tag) => {
+            Event::Start(tag) => {
                 if let Some(flame) = &mut open {
                     flame.palette.end();
                     flame.take(&tag, || lines.line(at));
+                }
+            }
+            Event::Empty(tag) => {
+                if let Some(flame) = &mut open {
+                    flame.palette.end();
+                    flame.take(&tag, || lines.line(at));
+                    flame.end(tag.name().as_ref());
                 }
             }
             Event::Text(text) => {
@@ -79,9 +94,10 @@ pub fn read_flames(text: &str) -> Result<Gathered, ImportError> {
                     finish(flame);
                 }
             }
-            Event::End(_) => {
+            Event::End(tag) => {
                 if let Some(flame) = &mut open {
                     flame.palette.end();
+                    flame.end(tag.name().as_ref());
                 }
             }
             Event::Eof => break,
