@@ -101,7 +101,7 @@ pub use preset::{CurvePreset, curve_preset, curve_presets};
 pub use read::read_drawing;
 pub use read::{FileContent, FileKind, NamedOutline, ReadAs, ReadError, Remark, read_file, sniff};
 pub use segment::{
-    Channel, Component, MAX_PIXELS, Mask, MaskOptions, Notice, Stroke, TraceError, Traced, Tracer,
+    Channel, Component, MAX_PIXELS, Mask, MaskOptions, Notice, Stroke, Surround, TraceError, Traced, Tracer,
 };
 pub use series::Series;
 pub use spline::{

@@ -3,7 +3,7 @@
 //! Two ways lead to a mask. A picture of two tones is cut by a line in one channel (`threshold`, `otsu`). What lies on
 //! a desk with its shadow, or on several kinds of ground, is cut by colours (`colour_cut`): `oklab` is where a shadow
 //! is a ray, `colour_model` what colours leaf and ground have, `hint` what was said of places, `random_walk` what
-//! follows, `fine_edge` the edge at full size.
+//! follows, `fine_edge` the edge at full size. A frame around the picture is left out before (`frame`).
 
 mod binary_image;
 mod channel;
@@ -12,6 +12,7 @@ mod colour_model;
 mod components;
 mod contour;
 mod fine_edge;
+mod frame;
 mod hint;
 mod mask;
 mod morphology;
@@ -28,7 +29,7 @@ mod working_picture;
 pub use channel::Channel;
 pub use components::Component;
 pub use mask::{Mask, MaskOptions};
-pub use notice::{Notice, TraceError};
+pub use notice::{Notice, Surround, TraceError};
 pub use stroke::Stroke;
 pub use trace::Traced;
 
@@ -36,7 +37,7 @@ use std::sync::OnceLock;
 
 use binary_image::Bits;
 use colour_cut::ColourCut;
-use components::{Parts, fill_holes, parts};
+use components::{NONE, Parts, fill_holes, parts};
 use fine_edge::fine_edge;
 use morphology::{close_slits, drop_thin, remove_stalks};
 use otsu::{histogram, quantile};
@@ -54,15 +55,48 @@ const LEAST_CONTRAST: f64 = 14.0;
 /// How much likelier leaf is than it seems at the end of the threshold's slider, by its logarithm.
 const MOST_MORE: f64 = 6.0;
 
+/// What is inside a round frame has two tones where so much of the spread lies between them (of a bell 0.64), with a
+/// sharp edge where pixels of tones between are at most so much of the leaf, and so many along an edge as long as the
+/// side of a square of its area; and the leaf is at most so much of what is beside the frame.
+const LEAST_SEPARATION: f64 = 0.7;
+const MOST_BETWEEN: (f64, f64) = (0.2, 8.0);
+const MOST_AT_FRAME: f64 = 0.4;
+
 /// A picture whose spread is to this part between two tones is cut by a line between them.
 const TWO_TONES: f64 = 0.975;
+
+/// Frames in frames are looked for so often: a print with a white border on the dark of a scanner is two.
+const MOST_FRAMES: usize = 3;
+
+/// What is taken for the leaf in a frame, or for what is framed once more, is so much of what is inside.
+const IN_FRAME: (f64, f64) = (0.001, 0.97);
 
 /// Traces one picture.
 ///
 /// Which of several channels is looked at, and where the line in it is drawn, is found once, from the picture: whether
-/// the leaf is darker or lighter than its ground or cut out of it, and whether there are rules on the ground.
+/// the leaf is darker or lighter than its ground or cut out of it, and whether there are rules on the ground. So is
+/// whether a frame surrounds it, which is then no part of any mask, unless a hint on the frame says that it is leaf.
 #[derive(Clone, Debug)]
 pub struct Tracer {
+    width: usize,
+    height: usize,
+    /// The picture without what surrounds it.
+    inner: Reading,
+    frame: Option<Framed>,
+}
+
+/// A frame, and the picture with it.
+#[derive(Clone, Debug)]
+struct Framed {
+    kind: Surround,
+    around: Bits,
+    rgba: Vec<u8>,
+    whole: OnceLock<Reading>,
+}
+
+/// A picture, and what tells the leaf from its ground there.
+#[derive(Clone, Debug)]
+struct Reading {
     width: usize,
     height: usize,
     rgba: Vec<u8>,
@@ -88,60 +122,65 @@ impl Tracer {
         if rgba.len() != 4 * width * height {
             return Err(TraceError::WrongLength { width, height, bytes: rgba.len() });
         }
-        let choice = choose(rgba, width, height);
-        let light =
-            rgba.chunks_exact(4).map(|p| p[..3].iter().map(|&v| u64::from(v)).sum::<u64>()).sum::<u64>();
-        let range = choice.as_ref().map_or((0.0, 255.0), |choice| {
-            let counts = histogram(&choice.likeness);
-            (f64::from(quantile(&counts, 0.005)), f64::from(quantile(&counts, 0.995)))
-        });
-        Ok(Self {
-            width,
-            height,
-            rgba: rgba.to_vec(),
-            choice,
-            cut: OnceLock::new(),
-            dark: light < 3 * 40 * (width * height) as u64,
-            range,
-        })
+        let mut frame: Option<Framed> = None;
+        let mut inner = None;
+        for _ in 0..MOST_FRAMES {
+            let seen = inner.as_ref().map_or(rgba, |inner: &Reading| &inner.rgba);
+            let Some((next, around, kind)) = next_frame(seen, width, height, frame.as_ref()) else { break };
+            inner = Some(next);
+            let framed = frame.get_or_insert_with(|| Framed {
+                kind,
+                around: Bits::new(width, height),
+                rgba: rgba.to_vec(),
+                whole: OnceLock::new(),
+            });
+            framed.around = around;
+        }
+        let inner = inner.unwrap_or_else(|| Reading::new(width, height, rgba.to_vec()));
+        Ok(Self { width, height, inner, frame })
+    }
+
+    /// The picture as it is looked at with these hints: without its frame, unless one that is drawn on it says that it
+    /// is leaf.
+    fn reading(&self, hints: &[Stroke]) -> (&Reading, Option<&Framed>) {
+        match &self.frame {
+            Some(frame) if hints.iter().any(|hint| frame.is_meant(hint)) => {
+                (frame.whole(self.width, self.height), None)
+            }
+            frame => (&self.inner, frame.as_ref()),
+        }
     }
 
     /// The channel that tells the leaf from its ground, if any does.
     #[must_use]
     pub fn channel(&self) -> Option<Channel> {
-        self.choice.as_ref().map(|choice| choice.channel)
-    }
-
-    /// Whether anything stands out.
-    fn stands_out(&self) -> Option<&Choice> {
-        self.choice.as_ref().filter(|choice| choice.contrast >= LEAST_CONTRAST)
+        self.inner.choice.as_ref().map(|choice| choice.channel)
     }
 
     /// The mask for a threshold, with its pieces.
     #[must_use]
     pub fn mask(&self, options: &MaskOptions) -> Mask {
         let offset = if options.threshold.is_nan() { 0.0 } else { options.threshold.clamp(-1.0, 1.0) };
-        let hinted = !options.hints.is_empty();
-        let by_colours = (!options.invert && (hinted || self.needs_colours()))
-            .then(|| self.cut_by_colours(offset, options))
-            .filter(|(bits, _)| hinted || bits.on.contains(&true));
-        let (mut bits, level, cover) = match (by_colours, &self.choice) {
-            (Some((bits, cover)), _) => (bits, 127.5, Some(cover)),
-            // Where nothing stands out, it is only looked for when that is asked for.
-            (None, Some(choice)) if offset != 0.0 || options.invert || self.stands_out().is_some() => {
-                let (bits, level) = self.find(choice, offset, options);
-                (bits, level, None)
-            }
-            _ => (Bits::new(self.width, self.height), 127.5, None),
-        };
+        let (seen, frame) = self.reading(&options.hints);
+        // A hint on the frame says that it is looked at, and no more.
+        let on_frame = |hint: &&Stroke| self.frame.as_ref().is_some_and(|frame| frame.is_meant(hint));
+        let hints: Vec<Stroke> = options.hints.iter().filter(|hint| !on_frame(hint)).cloned().collect();
+        let (mut bits, level, cover) = seen.leaf(offset, options, &hints);
+        if let Some(frame) = frame {
+            bits.on.iter_mut().zip(&frame.around.on).for_each(|(on, around)| *on &= !around);
+        }
         let mut away = stroke::paint(&mut bits, &options.strokes);
         for hint in &options.hints {
             hint.pixels(self.width, self.height, |i| away[i] |= !hint.keep);
         }
         let most = parts(&bits, true, true).largest(1, 1).all.first().map_or(0, |part| part.area / 20);
         let filled = fill_holes(&mut bits, most, |i| away[i]);
-        let Parts { labels, all } = parts(&bits, true, true).largest(2, MAX_PIECES);
-        let notices = self.notices(&all);
+        let Parts { labels, mut all } = parts(&bits, true, true).largest(2, MAX_PIECES);
+        let mut notices = seen.notices(&all);
+        if let Some(frame) = frame {
+            frame.mark_cut(&labels, &mut all);
+            notices.push(Notice::Surrounded(frame.kind));
+        }
         Mask {
             width: self.width,
             height: self.height,
@@ -152,13 +191,138 @@ impl Tracer {
             level,
             inverted: options.invert,
             cover,
+            framed: frame.is_some(),
+        }
+    }
+}
+
+/// The picture without its next frame, all that is left out of it by then, and what it is; None where there is none, or
+/// no leaf inside.
+fn next_frame(
+    rgba: &[u8],
+    width: usize,
+    height: usize,
+    before: Option<&Framed>,
+) -> Option<(Reading, Bits, Surround)> {
+    let clear = frame::of_clear(rgba, width, height);
+    // What is cut out of its ground is the shape, unless it is a card with a leaf on it.
+    let is_cut_out = threshold::is_cut_out(rgba);
+    let coloured = if is_cut_out { Vec::new() } else { frame::of_colour(rgba, width, height) };
+    clear.into_iter().chain(coloured).find_map(|found| {
+        let mut around = found.around;
+        if let Some(before) = before {
+            around.on.iter_mut().zip(&before.around.on).for_each(|(on, before)| *on |= before);
+        }
+        let reading = Reading::new(width, height, frame::without(rgba, &around));
+        reading.shows_leaf(&around, found.is_round).then_some((reading, around, found.kind))
+    })
+}
+
+impl Framed {
+    fn whole(&self, width: usize, height: usize) -> &Reading {
+        self.whole.get_or_init(|| Reading::new(width, height, self.rgba.clone()))
+    }
+
+    /// Whether a hint says that the frame is leaf: most of it is drawn there.
+    fn is_meant(&self, hint: &Stroke) -> bool {
+        let (mut on, mut all) = (0_usize, 0_usize);
+        if hint.keep {
+            hint.pixels(self.around.width, self.around.height, |i| {
+                all += 1;
+                on += usize::from(self.around.on[i]);
+            });
+        }
+        2 * on > all
+    }
+
+    /// A piece that the frame cuts is cut, as by the border of the picture.
+    fn mark_cut(&self, labels: &[u32], all: &mut [Component]) {
+        let width = self.around.width;
+        for (i, _) in self.around.on.iter().enumerate().filter(|(_, on)| **on) {
+            let (x, y) = (i % width, i / width);
+            let near = [
+                (x > 0).then(|| i - 1),
+                (x + 1 < width).then_some(i + 1),
+                (y > 0).then(|| i - width),
+                (y + 1 < self.around.height).then_some(i + width),
+            ];
+            for label in near.into_iter().flatten().map(|near| labels[near]).filter(|&label| label != NONE) {
+                all[label as usize].touches_border = true;
+            }
+        }
+    }
+}
+
+impl Reading {
+    fn new(width: usize, height: usize, rgba: Vec<u8>) -> Self {
+        let choice = choose(&rgba, width, height);
+        let light =
+            rgba.chunks_exact(4).map(|p| p[..3].iter().map(|&v| u64::from(v)).sum::<u64>()).sum::<u64>();
+        let range = choice.as_ref().map_or((0.0, 255.0), |choice| {
+            let counts = histogram(&choice.likeness);
+            (f64::from(quantile(&counts, 0.005)), f64::from(quantile(&counts, 0.995)))
+        });
+        let dark = light < 3 * 40 * (width * height) as u64;
+        Self { width, height, rgba, choice, cut: OnceLock::new(), dark, range }
+    }
+
+    /// Whether anything stands out.
+    fn stands_out(&self) -> Option<&Choice> {
+        self.choice.as_ref().filter(|choice| choice.contrast >= LEAST_CONTRAST)
+    }
+
+    /// Whether there is a leaf inside a frame: something stands out there. Inside what is round, and may be a shape
+    /// of its own, it must be more than a shade, and seldom reach the frame.
+    fn shows_leaf(&self, around: &Bits, is_round: bool) -> bool {
+        let Some(choice) = self.line() else { return false };
+        let on = Bits::above(&choice.likeness, self.width, self.height, choice.level.level).on;
+        let share = |of: &dyn Fn(usize) -> bool| {
+            let all = (0..on.len()).filter(|&i| of(i));
+            let (leaf, count) =
+                all.fold((0_usize, 0_usize), |(leaf, count), i| (leaf + usize::from(on[i]), count + 1));
+            leaf as f64 / count.max(1) as f64
+        };
+        let inside = share(&|i| !around.on[i]);
+        let rim = || {
+            let near = around.grown(2.0);
+            share(&|i| near.on[i] && !around.on[i])
+        };
+        let is_sharp = || {
+            let (dark, quarter) = (choice.level.dark, 0.25 * choice.contrast);
+            let between = |i: &usize| {
+                let above = f64::from(choice.likeness[*i]) - dark;
+                !around.on[*i] && above > quarter && above < 3.0 * quarter
+            };
+            let area = on.iter().zip(&around.on).filter(|&(&on, &around)| on && !around).count() as f64;
+            let between = (0..on.len()).filter(between).count() as f64;
+            between <= MOST_BETWEEN.0 * area + MOST_BETWEEN.1 * area.sqrt()
+        };
+        let may_be_leaf = inside > IN_FRAME.0 && inside < IN_FRAME.1;
+        let is_two_toned = || choice.level.separation > LEAST_SEPARATION && is_sharp();
+        may_be_leaf && (!is_round || (is_two_toned() && rim() < MOST_AT_FRAME))
+    }
+
+    /// What is found, how much like the leaf a pixel must be, and how much of each pixel is leaf where colours told.
+    fn leaf(&self, offset: f64, options: &MaskOptions, hints: &[Stroke]) -> (Bits, f64, Option<Vec<u8>>) {
+        let hinted = !hints.is_empty();
+        let by_colours = (!options.invert && (hinted || self.needs_colours()))
+            .then(|| self.cut_by_colours(offset, options, hints))
+            .filter(|(bits, _)| hinted || bits.on.contains(&true));
+        match (by_colours, &self.choice) {
+            (Some((bits, cover)), _) => (bits, 127.5, Some(cover)),
+            // Where nothing stands out, it is only looked for when that is asked for.
+            (None, Some(choice)) if offset != 0.0 || options.invert || self.stands_out().is_some() => {
+                let (bits, level) = self.find(choice, offset, options);
+                (bits, level, None)
+            }
+            _ => (Bits::new(self.width, self.height), 127.5, None),
         }
     }
 
     /// What is found by colours and hints, without specks, and how much of each pixel is leaf.
-    fn cut_by_colours(&self, offset: f64, options: &MaskOptions) -> (Bits, Vec<u8>) {
+    fn cut_by_colours(&self, offset: f64, options: &MaskOptions, hints: &[Stroke]) -> (Bits, Vec<u8>) {
         let cut = self.colours();
-        let inside = cut.inside(&options.hints, MOST_MORE * offset);
+        let inside = cut.inside(hints, MOST_MORE * offset);
         let cover = fine_edge(&cut.picture, &inside, self.width, self.height, &self.rgba);
         let mut bits = Bits::above(&cover, self.width, self.height, 127.5);
         let size =
@@ -168,7 +332,7 @@ impl Tracer {
         }
         let mut bits = without_specks(&bits, size);
         // What was said to be leaf is no speck.
-        for hint in options.hints.iter().filter(|hint| hint.keep) {
+        for hint in hints.iter().filter(|hint| hint.keep) {
             hint.pixels(self.width, self.height, |i| bits.on[i] |= cover[i] > 127);
         }
         (bits, cover)

@@ -13,7 +13,8 @@ pub struct MaskOptions {
     pub invert: bool,
     /// Whether stalks are taken off.
     pub remove_stalks: bool,
-    /// What was said of places: this is leaf, this is not. It goes for what is like them, too.
+    /// What was said of places: this is leaf, this is not. It goes for what is like them, too. One that says “leaf” on
+    /// a frame that was left out ([`Notice::Surrounded`]) has the whole picture looked at.
     pub hints: Vec<Stroke>,
     /// Strokes of the brush, the first one first. They hold whatever the threshold is, and nowhere else.
     pub strokes: Vec<Stroke>,
@@ -33,6 +34,8 @@ pub struct Mask {
     pub(super) inverted: bool,
     /// How much each pixel is leaf, where it was told by colours.
     pub(super) cover: Option<Vec<u8>>,
+    /// Whether a frame was left out.
+    pub(super) framed: bool,
 }
 
 impl Mask {

@@ -4,6 +4,19 @@ use thiserror::Error;
 
 use crate::outline::MAX_OUTLINE;
 
+/// What surrounds a picture and is left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Surround {
+    /// A frame of one colour.
+    Frame,
+    /// A strip along a side or two.
+    Strip,
+    /// All around a round field, as of a microscope.
+    Round,
+    /// The clear margin or corners of a card.
+    Clear,
+}
+
 /// Something that may be amiss with a mask or an outline, though there is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notice {
@@ -21,6 +34,8 @@ pub enum Notice {
     Thinned(usize),
     /// The piece has so many holes, which the outline leaves out.
     Holes(usize),
+    /// What surrounds the picture is left out.
+    Surrounded(Surround),
 }
 
 impl Notice {
@@ -35,6 +50,7 @@ impl Notice {
             Self::Noise => "noise",
             Self::Thinned(_) => "thinned",
             Self::Holes(_) => "holes",
+            Self::Surrounded(_) => "surrounded",
         }
     }
 
@@ -78,6 +94,26 @@ impl Notice {
                 "The leaf has {count} holes, which are filled: an outline is one line around it. Where one is no hole \
                  but a gap at the rim, a stroke that says “not leaf” opens it to the outside."
             ),
+            Self::Surrounded(Surround::Frame) => {
+                "A frame around the picture is left out, and the leaf is looked for inside it. Where the frame is part \
+                of the shape, draw a stroke on it that says “leaf”."
+                    .into()
+            }
+            Self::Surrounded(Surround::Strip) => {
+                "A strip along the border of the picture is left out, and the leaf is looked for beside it. Where the \
+                strip is part of the shape, draw a stroke on it that says “leaf”."
+                    .into()
+            }
+            Self::Surrounded(Surround::Round) => {
+                "What surrounds the round field of the picture is left out, and the leaf is looked for inside it. Where \
+                the field is the shape, draw a stroke beside it that says “leaf”."
+                    .into()
+            }
+            Self::Surrounded(Surround::Clear) => {
+                "The clear margin of the picture is left out, and the leaf is looked for on the card inside it. Where \
+                the card is the shape, draw a stroke on the margin that says “leaf”."
+                    .into()
+            }
         }
     }
 }

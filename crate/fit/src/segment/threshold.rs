@@ -31,9 +31,8 @@ const RULE_RADII: [usize; 4] = [1, 2, 3, 5];
 pub fn choose(rgba: &[u8], width: usize, height: usize) -> Option<Choice> {
     let around = border_colour(rgba, width, height);
     let alpha = Channel::Alpha.values(rgba, around);
-    let solid = alpha.iter().filter(|&&a| a >= 128).count();
     // What is cut out of its ground needs no more judgement.
-    if 1000 * solid > alpha.len() && 1000 * (alpha.len() - solid) > alpha.len() {
+    if is_cut_out(rgba) {
         let level = split(&histogram(&alpha))?;
         let contrast = level.bright - level.dark;
         return Some(Choice {
@@ -68,6 +67,13 @@ pub fn choose(rgba: &[u8], width: usize, height: usize) -> Option<Choice> {
         }
     }
     best.map(|(_, choice)| choice)
+}
+
+/// Whether part of a picture is clear, more than a few pixels, and part of it is not.
+pub fn is_cut_out(rgba: &[u8]) -> bool {
+    let all = rgba.len() / 4;
+    let solid = rgba.chunks_exact(4).filter(|pixel| pixel[3] >= 128).count();
+    1000 * solid > all && 1000 * (all - solid) > all
 }
 
 /// What is half transparent is seen on white; None where nothing is.

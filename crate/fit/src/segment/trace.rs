@@ -108,7 +108,11 @@ impl Tracer {
                 (false, true) => -0.5,
             };
         }
-        let Some(choice) = self.stands_out() else { return if on { 0.5 } else { -0.5 } };
+        let seen = match &self.frame {
+            Some(frame) if !mask.framed => frame.whole(self.width, self.height),
+            _ => &self.inner,
+        };
+        let Some(choice) = seen.stands_out() else { return if on { 0.5 } else { -0.5 } };
         let soft = {
             let value = f64::from(choice.likeness[i]) - mask.level;
             // From the middle to either class: there an edge that is cut by a pixel is straight.
