@@ -223,16 +223,22 @@ impl Framed {
         self.whole.get_or_init(|| Reading::new(width, height, self.rgba.clone()))
     }
 
-    /// Whether a hint says that the frame is leaf: most of it is drawn there.
+    /// Whether a hint says that the frame is leaf: it begins there, or most of it is drawn there. Corners may be smaller
+    /// than the brush.
     fn is_meant(&self, hint: &Stroke) -> bool {
-        let (mut on, mut all) = (0_usize, 0_usize);
+        let around = |i: usize| self.around.on[i];
+        let (width, height) = (self.around.width, self.around.height);
+        let (mut on, mut all, mut begins) = (0_usize, 0_usize, false);
         if hint.keep {
-            hint.pixels(self.around.width, self.around.height, |i| {
-                all += 1;
-                on += usize::from(self.around.on[i]);
-            });
+            hint.pixels(width, height, |i| (on, all) = (on + usize::from(around(i)), all + 1));
+            let tip = Stroke {
+                points: hint.points.first().copied().into_iter().collect(),
+                radius: 0.75,
+                keep: true,
+            };
+            tip.pixels(width, height, |i| begins |= around(i));
         }
-        2 * on > all
+        begins || 2 * on > all
     }
 
     /// A piece that the frame cuts is cut, as by the border of the picture.

@@ -302,6 +302,10 @@ fn a_hint_on_what_was_left_out_takes_it_back() {
     let mask = tracer.mask(&MaskOptions { hints, ..MaskOptions::default() });
     let traced = tracer.outline(&mask, 0).expect("the card");
     assert!((traced.area() - 300.0 * 220.0).abs() < 20.0, "{}", traced.area());
+    // A corner may be smaller than the brush: where a stroke begins counts.
+    let begun = vec![Stroke { points: vec![[10.0, 10.0], [170.0, 145.0]], radius: 9.0, keep: true }];
+    let mask = tracer.mask(&MaskOptions { hints: begun, ..MaskOptions::default() });
+    assert_eq!(surround(&mask), None);
     // The brush paints on a frame as elsewhere.
     let strokes = vec![Stroke { points: vec![[15.0, 140.0]], radius: 8.0, keep: true }];
     let painted = tracer.mask(&MaskOptions { strokes, ..MaskOptions::default() });

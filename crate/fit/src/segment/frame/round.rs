@@ -54,8 +54,8 @@ impl Disc {
         self.of([x as f64, y as f64]) > 1.0
     }
 
-    /// The part of it that is lit: at an edge that is not sharp, and in a vignette, light fades. `light` is that of each
-    /// pixel of a picture so many pixels across.
+    /// The part of it that is lit: at an edge that is not sharp, and in a vignette, light fades. `light` is that of
+    /// each pixel of a picture so many pixels across.
     pub fn lit(&self, light: &[u8], width: usize) -> Self {
         const RINGS: usize = 40;
         let step = (1.0 - INNERMOST) / RINGS as f64;
@@ -130,8 +130,8 @@ fn upright(rim: &[[f64; 2]]) -> Option<Disc> {
         .then_some(Disc { centre: [0.5 * (left + right), 0.5 * (top + bottom)], radii })
 }
 
-/// The ellipse around the middle of the picture that is as wide and high as this in proportion: of a vignette, which the
-/// border may cut.
+/// The ellipse around the middle of the picture that is as wide and high as this in proportion: of a vignette, which
+/// the border may cut.
 fn central(rim: &[[f64; 2]], width: usize, height: usize) -> Disc {
     let whole = Disc {
         centre: [width, height].map(|side| 0.5 * (side as f64 - 1.0)),
