@@ -207,6 +207,39 @@ fn files_are_what_is_in_them_whatever_they_are_called() {
 }
 
 #[test]
+fn what_cannot_be_read_is_named_with_a_way_out() {
+    for (bytes, is, way_out) in [
+        (&b"\0\0\0\x18ftypheic\0\0\0\0mif1heic"[..], "This is a HEIC picture", "Save it as JPEG"),
+        (b"II*\0\x08\0\0\0", "This is a TIFF picture", "Save it as JPEG"),
+        (b"%PDF-1.7", "This is a PDF", "Save a drawing in it as SVG"),
+        (
+            b"PK\x03\x04[Content_Types].xml xl/workbook.xml",
+            "This is a spreadsheet (xlsx)",
+            "Save its sheet as CSV",
+        ),
+        (b"PK\x03\x04[Content_Types].xml word/a.xml", "This is a document (docx)", "as plain text or CSV"),
+    ] {
+        let said = read_file(bytes, ReadAs::Guess).expect_err("no text").to_string();
+        assert!(said.starts_with(is) && said.contains(way_out), "{said}");
+    }
+}
+
+#[test]
+fn what_stands_before_the_beginning_may_be_long() {
+    let words = "the words of a licence\n".repeat(5_000);
+    let drawing = svg("<path d='M10 10H90V60H10Z'/>");
+    let drawing = drawing.strip_prefix("<?xml version=\"1.0\"?>").expect("a declaration");
+    let json = r#"{"type": "Polygon", "coordinates": [[[0, 0], [400, 0], [400, 10], [0, 10], [0, 0]]]}"#;
+    for text in [
+        format!("<?xml version='1.0'?><!--\n{words}--><!DOCTYPE svg>{drawing}"),
+        format!("{}{json}", " \n".repeat(9_000)),
+        format!("// {}\n{json}", words.replace('\n', "\n// ")),
+    ] {
+        assert_eq!(outlines(&text)[0].outline.area(), 4000.0, "{}", &text[..30]);
+    }
+}
+
+#[test]
 fn a_grown_leaf_goes_through_each_format() {
     let leaf = maple_leaf(3);
     let list = |from: &str, between: &str, sign: f64| {

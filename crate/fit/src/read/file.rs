@@ -46,7 +46,7 @@ pub fn read_file(bytes: &[u8], read_as: ReadAs) -> Result<FileContent, ReadError
         FileKind::Svg => svg::read_svg(&text),
         #[cfg(not(feature = "svg"))]
         FileKind::Svg => Err(ReadError::Drawing),
-        FileKind::Json => geo::read_geo(&text),
+        FileKind::Json => geo::read_geo(text::past_remarks(&text)),
         _ => table_content(&text, read_as),
     }
 }

@@ -84,10 +84,36 @@ pub enum ReadError {
     OneColumn,
 }
 
+/// What to do with a file of another kind.
+fn advice(what: &str) -> &'static str {
+    match what {
+        "HEIC picture" => "Save it as JPEG and open that: on a phone, share it as “Most compatible”.",
+        "PDF" | "PostScript file" => {
+            "Save a drawing in it as SVG, a photograph as JPEG, and a table as CSV, and open that."
+        }
+        "Photoshop picture" => "Save it as PNG or JPEG and open that.",
+        "shapefile" | "database" | "map (KMZ)" => "Save its layer as GeoJSON and open that.",
+        "film" => "Save one picture of it as JPEG and open that.",
+        _ if what.ends_with("picture") => "Save it as JPEG or PNG and open that.",
+        _ if what.starts_with("spreadsheet") => "Save its sheet as CSV and open that.",
+        _ if what.starts_with("document") || what.starts_with("text") => {
+            "Save a table in it as plain text or CSV, and a picture as JPEG, and open that."
+        }
+        _ if what.starts_with("presentation") => "Save its picture as SVG or JPEG and open that.",
+        _ if what.contains("archive") || what.starts_with("packed") => "Unpack it and open what is in it.",
+        _ => "",
+    }
+}
+
 fn unknown(what: Option<&str>) -> String {
-    let what = what.map_or_else(|| "neither a picture nor a text".into(), |what| format!("a {what}"));
+    let (is, advice) = what.map_or_else(
+        || ("neither a picture nor a text".into(), ""),
+        |what| (format!("a {what}"), advice(what)),
+    );
+    let gap = if advice.is_empty() { "" } else { " " };
     format!(
-        "This is {what}. What can be read: pictures (PNG, JPEG, WebP), drawings (SVG), tables of numbers (CSV) and GeoJSON."
+        "This is {is}.{gap}{advice} What can be read: pictures (PNG, JPEG, WebP), drawings (SVG), tables of numbers \
+         (CSV) and GeoJSON."
     )
 }
 
