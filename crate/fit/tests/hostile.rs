@@ -164,6 +164,15 @@ fn large_files_of_small_things_take_little_more_than_themselves() {
         (fill("1 "), "series"),
         (fill("\"1,"), "no-numbers"),
         (fill("1"), "no-numbers"),
+        (fill("0 0\n9 0\n9 9\n0 9\n0 0\n\n"), "csv"),
+        (fill("a\n0 0\n9 0\n9 9\n0 9\n"), "csv"),
+        (fill("a,0,0\na,9,0\na,9,9\na,0,9\nb,0,0\nb,9,0\nb,9,9\nb,0,8\n"), "csv"),
+        (fill("1,0,0\n1,9,0\n1,9,9\n1,0,9\n"), "csv"),
+        (fill("LM=4\n0 0\n9 0\n9 9\n0 9\nID=1\n"), "csv"),
+        (fill("LM=1\n"), "too-few-points"),
+        (format!("LM=0\n{}", fill("POINTS=4\n0 0\n9 0\n9 9\n0 9\n")), "csv"),
+        (format!("LM=0\n{}", fill("POINTS=2\n0 0\n9 0\n")), "too-few-points"),
+        (format!("LM=0\n{}", fill("x\n")), "too-few-points"),
     ] {
         let outcome = read(text.as_bytes());
         let head: String = text.chars().take(90).collect();

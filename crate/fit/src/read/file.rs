@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::content::FileContent;
-use super::gather::{About, FEWEST_POINTS, Gathered, fewer};
+use super::gather::{FEWEST_POINTS, fewer};
 use super::problem::{ReadError, Remark};
 use super::sniff::{FileKind, sniff};
 #[cfg(feature = "svg")]
@@ -46,7 +46,12 @@ pub fn read_file(bytes: &[u8], read_as: ReadAs) -> Result<FileContent, ReadError
         FileKind::Svg => svg::read_svg(&text),
         #[cfg(not(feature = "svg"))]
         FileKind::Svg => Err(ReadError::Drawing),
-        FileKind::Json => geo::read_geo(text::past_remarks(&text)),
+        FileKind::Json => geo::read_geo(text::past_remarks(&text)).or_else(|error| {
+            // Rows in brackets, as programs print them, are no JSON.
+            let rows = matches!(error, ReadError::Broken { .. }) && text.trim_start().starts_with('[');
+            let table = if rows { table_content(&text, read_as).ok() } else { None };
+            table.ok_or(error)
+        }),
         _ => table_content(&text, read_as),
     }
 }
@@ -76,6 +81,9 @@ fn opened(bytes: &[u8]) -> Result<(FileKind, Cow<'_, str>), ReadError> {
 }
 
 fn table_content(text: &str, read_as: ReadAs) -> Result<FileContent, ReadError> {
+    if table::is_tps(text) {
+        return table::read_tps(text);
+    }
     let table = table::read_table(text)?;
     let points = table.line.points();
     let goes = |sign: f64| points.windows(2).all(|pair| sign * (pair[1].x - pair[0].x) >= 0.0);
@@ -88,9 +96,7 @@ fn table_content(text: &str, read_as: ReadAs) -> Result<FileContent, ReadError> 
         ReadAs::Series => true,
     };
     if !series {
-        let mut gathered = Gathered::default();
-        gathered.take(&table.line, About { label: (), closed: true, ground: false });
-        return gathered.finish("csv", table.remarks, |()| "table".into());
+        return table.into_outlines(text);
     }
     let or_outline = table.two && points.len() >= FEWEST_POINTS;
     let (rows, mut remarks) = (table.line.count, table.remarks);

@@ -57,6 +57,11 @@ impl Line {
         self.kept.first() == Some(&self.last)
     }
 
+    /// Whether a point is its last one.
+    pub fn ends_at(&self, point: DVec2) -> bool {
+        self.count > 0 && self.last == point
+    }
+
     /// Of how many points one was kept.
     pub fn stride(&self) -> usize {
         1 << self.thin
@@ -144,6 +149,19 @@ impl<L> Gathered<L> {
         self.prune();
     }
 
+    /// Changes the points of all outlines so far. What has none any more is left out.
+    pub fn change(&mut self, to: impl Fn(DVec2) -> DVec2) {
+        self.kept.retain_mut(|kept| {
+            let points: Vec<DVec2> = kept.outline.points().iter().map(|&p| to(p)).collect();
+            Outline::new(&points).map(|outline| kept.outline = outline).is_ok()
+        });
+    }
+
+    /// Turns outlines of pictures upright, where y goes down.
+    pub fn mirror(&mut self) {
+        self.change(|p| DVec2::new(p.x, -p.y));
+    }
+
     /// Takes all lines so far for closed ones.
     pub fn close(&mut self) {
         self.opened = 0;
@@ -172,8 +190,12 @@ impl<L> Gathered<L> {
         name: impl Fn(&L) -> String,
     ) -> Result<FileContent, ReadError> {
         if self.kept.is_empty() {
-            let kind = if format == "geojson" { "JSON" } else { "SVG" };
-            return Err(self.error.unwrap_or(ReadError::Nothing { format: kind }));
+            let nothing = match format {
+                "geojson" => ReadError::Nothing { format: "JSON" },
+                "svg" => ReadError::Nothing { format: "SVG" },
+                _ => ReadError::TooFew { count: 0, series: false },
+            };
+            return Err(self.error.unwrap_or(nothing));
         }
         self.sort();
         self.kept.truncate(MAX_LISTED);

@@ -9,7 +9,6 @@ use self::visit::{Found, Label, Nest, Object};
 use super::content::FileContent;
 use super::problem::ReadError;
 use super::text::short;
-use crate::outline::Outline;
 
 /// The rings and lines of a text of GeoJSON; of a bare list of positions, that.
 pub fn read_geo(text: &str) -> Result<FileContent, ReadError> {
@@ -51,11 +50,7 @@ fn find(text: &str, globe: bool) -> Result<Found, ReadError> {
 fn flatten_globe(found: &mut Found) {
     let (low, high) = found.latitudes;
     let factor = (0.5 * (low + high)).to_radians().cos().max(0.01);
-    found.gathered.kept.retain_mut(|kept| {
-        let points: Vec<DVec2> =
-            kept.outline.points().iter().map(|p| DVec2::new(factor * p.x, p.y)).collect();
-        Outline::new(&points).map(|outline| kept.outline = outline).is_ok()
-    });
+    found.gathered.change(|p| DVec2::new(factor * p.x, p.y));
 }
 
 #[cfg(test)]

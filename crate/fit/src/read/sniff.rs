@@ -136,7 +136,7 @@ fn of_xml(bytes: &[u8]) -> FileKind {
     let wide;
     let mut rest = bytes;
     // Names of XML are bytes of ASCII, but in UTF-16.
-    if bytes[..bytes.len().min(4)].iter().any(|&byte| byte == 0) || bytes.starts_with(b"\xff\xfe") {
+    if bytes[..bytes.len().min(4)].contains(&0) || bytes.starts_with(b"\xff\xfe") {
         wide = super::text::decode(&bytes[..bytes.len().min(WIDE_BYTES)]).into_owned();
         rest = wide.as_bytes();
     }

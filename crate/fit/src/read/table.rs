@@ -1,12 +1,18 @@
 //! Tables of numbers: points of an outline, or values of a function.
 
 mod columns;
+mod heading;
 mod number;
+mod parts;
+mod tps;
 
 use glam::DVec2;
 
 use self::columns::{Columns, columns};
-use super::gather::Line;
+use self::parts::{Parts, Survey, gather};
+pub use self::tps::{is_tps, read_tps};
+use super::content::FileContent;
+use super::gather::{About, Gathered, Line};
 use super::problem::{ReadError, Remark};
 use super::text::short;
 
@@ -17,69 +23,127 @@ const LONGEST_HEADING: usize = 30;
 
 /// The numbers in a table.
 pub struct Table {
-    /// The two first columns of numbers; with one column, x is the row's number from 0.
+    /// All points of the two columns that are read; with one column, x is the row's number from 0.
     pub line: Line,
     /// Whether there is a second column.
     pub two: bool,
     pub remarks: Vec<Remark>,
+    columns: Columns,
+    parts: Parts,
 }
 
-/// Reads a table: one or two columns of numbers, or more, of which the first two are taken; parted by tabs, semicolons,
-/// commas or blanks; with decimal points or commas; perhaps with a heading, and with comments after `#`, `%` or `//`.
-pub fn read_table(text: &str) -> Result<Table, ReadError> {
+/// A line of a table.
+enum Row<'a> {
+    Blank,
+    /// What stands behind the sign of a remark.
+    Remark(&'a str),
+    Line(&'a str),
+}
+
+/// The lines of a text, from 1.
+fn rows(text: &str) -> impl Iterator<Item = (usize, Row<'_>)> {
     // Machines of old ended lines so.
     let end = if text.contains('\n') { '\n' } else { '\r' };
+    text.split(end).enumerate().map(|(i, line)| {
+        let line = line.trim_end_matches(['\r', '\u{1a}', '\u{c}']);
+        let bare = line.trim();
+        let remark = ["#", "%", "//"].iter().find_map(|sign| bare.strip_prefix(sign));
+        let row = match remark {
+            _ if bare.is_empty() => Row::Blank,
+            Some(remark) => Row::Remark(remark.trim_start_matches(['#', '%', '/'])),
+            None => Row::Line(line),
+        };
+        (i + 1, row)
+    })
+}
+
+/// Reads a table: one or two columns of numbers, or more, of which those are taken that the heading calls x and y, or
+/// else the first two that do not count rows; parted by tabs, semicolons, commas or blanks; with decimal points or
+/// commas; perhaps with a heading, and with comments after `#`, `%` or `//`.
+pub fn read_table(text: &str) -> Result<Table, ReadError> {
     let lines = || {
-        text.split(end).enumerate().map(|(i, line)| (i + 1, line.trim())).filter(|(_, line)| {
-            !line.is_empty() && !["#", "%", "//"].iter().any(|sign| line.starts_with(sign))
+        rows(text).filter_map(|(number, row)| match row {
+            Row::Line(line) => Some((number, line)),
+            _ => None,
         })
     };
     let Some((first_line, first)) = lines().next() else { return Err(ReadError::Empty) };
     let sample: Vec<&str> = lines().map(|(_, line)| line).take(SAMPLED_LINES).collect();
-    let Some(found) = columns(&sample) else {
+    let remark = rows(text)
+        .take_while(|(_, row)| !matches!(row, Row::Line(_)))
+        .filter_map(|(_, row)| if let Row::Remark(remark) = row { Some(remark) } else { None })
+        .last();
+    let Some(found) = columns(&sample, remark) else {
         return Err(ReadError::NoNumbers { line: first_line, text: short(first, 40) });
     };
-    let mut table = Table { line: Line::default(), two: found.second.is_some(), remarks: Vec::new() };
-    table.remarks.extend(found.assumed(&sample));
-    if let Some(row) = single_row(&found, &sample) {
-        table.two = false;
-        table.line = row;
-        return Ok(table);
+    let mut remarks: Vec<Remark> = found.assumed(&sample).into_iter().collect();
+    let two = found.second.is_some();
+    if let Some(line) = single_row(&found, &sample) {
+        return Ok(Table { line, two: false, remarks, columns: found, parts: Parts::One });
     }
+    let (mut line, mut survey) = (Line::default(), Survey::of(&found));
     let (mut bad, mut bad_count) = (Vec::new(), 0);
-    for (number, line) in lines() {
-        match point(&found, line, table.line.count) {
-            Some(point) => table.line.push(point),
-            // Before the first numbers stands a heading.
-            None if table.line.count == 0 && number < first_line + LONGEST_HEADING => {}
-            None => {
-                bad_count += 1;
-                if bad.len() < 5 {
-                    bad.push((number, line));
-                }
-            }
+    for (number, row) in rows(text) {
+        let text = match row {
+            Row::Blank => "",
+            Row::Remark(_) => continue,
+            Row::Line(text) => text,
+        };
+        if let Some(point) = point(&found, text, line.count) {
+            survey.row(&found, text, point);
+            line.push(point);
+            continue;
+        }
+        survey.gap(&found, text);
+        // Before the first numbers stands a heading.
+        if text.is_empty() || (line.count == 0 && number < first_line + LONGEST_HEADING) {
+            continue;
+        }
+        bad_count += 1;
+        if bad.len() < 5 {
+            bad.push((number, text));
         }
     }
-    let rows = table.line.count;
-    if bad_count > rows || rows == 0 {
+    let count = line.count;
+    if bad_count > count || count == 0 {
         let (line, text) = bad.first().copied().unwrap_or((first_line, first));
         return Err(ReadError::NoNumbers { line, text: short(text, 40) });
     }
-    if bad_count > 0 {
-        table.remarks.push(gaps(&bad, bad_count));
+    let parts = if two { survey.finish() } else { Parts::One };
+    // Where they part outlines they are no gaps.
+    if bad_count > 0 && !matches!(parts, Parts::Lines(_)) {
+        remarks.push(gaps(&bad, bad_count));
     }
-    if table.line.stride() > 1 {
-        let message = format!("Of {rows} points every {}th is kept.", table.line.stride());
-        table.remarks.push(Remark::new("thinned", message));
+    if line.stride() > 1 {
+        let message = format!("Of {count} points every {}th is kept.", line.stride());
+        remarks.push(Remark::new("thinned", message));
     }
-    if found.more {
-        let which = found.second.map_or_else(
-            || format!("column {}", found.first + 1),
-            |second| format!("columns {} and {}", found.first + 1, second + 1),
-        );
-        table.remarks.push(Remark::new("ignored", format!("Only {which} of the table were read.")));
+    remarks.extend(found.used());
+    Ok(Table { line, two, remarks, columns: found, parts })
+}
+
+impl Table {
+    /// Its outlines, and what is to be said of all.
+    pub fn into_outlines(self, text: &str) -> Result<FileContent, ReadError> {
+        let Self { line, mut remarks, columns, parts, .. } = self;
+        let count = line.count;
+        let mut gathered = if let Parts::One = parts {
+            let mut gathered = Gathered::default();
+            gathered.take(&line, About { label: String::from("table"), closed: true, ground: false });
+            gathered
+        } else {
+            drop(line);
+            let (gathered, said) = gather(text, &columns, &parts, count);
+            remarks.extend(said);
+            gathered
+        };
+        if columns.heading.as_ref().is_some_and(|heading| heading.imagej) {
+            gathered.mirror();
+            let message = "ImageJ counts y from the top of the picture: the outline is turned upright.";
+            remarks.push(Remark::new("assumed", message));
+        }
+        gathered.finish("csv", remarks, Clone::clone)
     }
-    Ok(table)
 }
 
 fn gaps(bad: &[(usize, &str)], count: usize) -> Remark {
@@ -103,7 +167,7 @@ fn finite(columns: &Columns, field: &str) -> Option<f64> {
 
 fn point(columns: &Columns, line: &str, row: usize) -> Option<DVec2> {
     let (mut x, mut y) = (None, None);
-    let last = columns.second.unwrap_or(columns.first);
+    let last = columns.second.unwrap_or(0).max(columns.first);
     for (column, field) in columns.parted.fields(line).enumerate().take(last + 1) {
         if column == columns.first {
             x = Some(finite(columns, field)?);

@@ -39,7 +39,7 @@ impl Style {
         {
             return Some(value);
         }
-        let field = field.trim().trim_matches('"').trim();
+        let field = bare(field);
         let (mantissa, exponent) = field.split_at(field.find(['e', 'E']).unwrap_or(field.len()));
         let (whole, rest) = mantissa.split_once(decimal).map_or((mantissa, None), |(a, b)| (a, Some(b)));
         let mut plain = Plain::default();
@@ -50,7 +50,13 @@ impl Style {
                 plain.push(".")?;
                 plain.push(rest)?;
             }
-            plain.push(exponent)
+            match exponent.char_indices().nth(1) {
+                Some((at, sign)) if is_minus(sign) => {
+                    plain.push("e-")?;
+                    plain.push(&exponent[at + sign.len_utf8()..])
+                }
+                _ => plain.push(exponent),
+            }
         });
         match written {
             Some(()) => plain.text().parse().ok(),
@@ -86,18 +92,32 @@ impl Plain {
     }
 }
 
+/// A field without its quotes and brackets, and without signs that are not seen.
+fn bare(field: &str) -> &str {
+    field.trim_matches(|c: char| {
+        c.is_whitespace()
+            || matches!(c, '"' | '\'' | '“' | '”' | '(' | ')' | '[' | ']' | '{' | '}')
+            || matches!(c, '\u{200b}' | '\u{2060}' | '\u{feff}' | '\u{1a}')
+    })
+}
+
+/// Hyphens and dashes that stand for a minus.
+const fn is_minus(sign: char) -> bool {
+    matches!(sign, '-' | '\u{2010}'..='\u{2014}' | '\u{2212}' | '\u{fe63}' | '\u{ff0d}')
+}
+
 fn digits(text: &str) -> bool {
     text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// Writes a whole number without the signs that part its thousands: `parts`, blanks or apostrophes.
 fn joined(whole: &str, parts: Option<char>, to: &mut Plain) -> Option<()> {
-    let (sign, bare) = match whole.strip_prefix(['-', '\u{2212}']) {
-        Some(bare) => ("-", bare),
+    let (sign, bare) = match whole.strip_prefix(is_minus) {
+        Some(bare) => ("-", bare.trim_start()),
         None => ("", whole.strip_prefix('+').unwrap_or(whole)),
     };
     let between =
-        |letter: char| Some(letter) == parts || matches!(letter, ' ' | '\'' | '\u{a0}' | '\u{202f}' | '’');
+        |letter: char| Some(letter) == parts || matches!(letter, '\'' | '’') || letter.is_whitespace();
     let mut groups = bare.split(between);
     let first = groups.next().filter(|first| digits(first))?;
     to.push(sign)?;
@@ -113,8 +133,8 @@ fn joined(whole: &str, parts: Option<char>, to: &mut Plain) -> Option<()> {
 
 /// Whether a number could have its thousands parted by `sign`: 1,234 or 12,345,678, but neither 0,123 nor 1,23.
 pub fn may_be_parted(field: &str, sign: char) -> bool {
-    let field = field.trim().trim_matches('"').trim();
-    !field.trim_start_matches(['+', '-']).starts_with('0')
+    let field = bare(field);
+    !field.trim_start_matches(|sign| sign == '+' || is_minus(sign)).starts_with('0')
         && field.contains(sign)
         && joined(field, Some(sign), &mut Plain::default()).is_some()
 }
@@ -138,6 +158,13 @@ mod tests {
             ("-1,234.5", [None, None, None, Some(-1234.5), None]),
             ("1.234.567", [None, None, Some(1_234_567.0), None, None]),
             ("\u{2212}1,234,567", [None, None, None, Some(-1_234_567.0), None]),
+            ("\u{2212}5", [Some(-5.0); 5]),
+            ("–0.5", [Some(-0.5), None, None, Some(-0.5), Some(-0.5)]),
+            ("− 2", [Some(-2.0); 5]),
+            ("5e−3", [Some(5e-3); 5]),
+            ("\u{a0}7\u{2009}", [Some(7.0); 5]),
+            ("(8", [Some(8.0); 5]),
+            ("1\u{2009}234", [Some(1234.0); 5]),
             ("1 234", [Some(1234.0); 5]),
             ("12\u{a0}345,5", [None, Some(12345.5), Some(12345.5), None, Some(12345.5)]),
             ("1'234.5", [Some(1234.5), None, None, Some(1234.5), Some(1234.5)]),
@@ -159,6 +186,8 @@ mod tests {
             "1,5x",
             "1,-5",
             "€1",
+            "—",
+            "1–2",
         ] {
             let all = Style::ALL.map(|style| style.number(field));
             assert_eq!(all, [None; 5], "{field}");
