@@ -130,6 +130,12 @@ fn large_files_of_small_things_take_little_more_than_themselves() {
     let json = |list: &str| format!("{{\"type\":\"FeatureCollection\",\"features\":[{list}null]}}");
     let lines = |list: &str| format!("{{\"type\":\"MultiLineString\",\"coordinates\":[{list}[]]}}");
     let feature = |ring: &str| format!("{{\"geometry\":{{\"coordinates\":[{ring}],\"type\":\"Polygon\"}}}},");
+    let topology = |arcs: &str, of: &str| {
+        format!(
+            "{{\"type\":\"Topology\",\"arcs\":[{arcs}[]],\"objects\":{{\"a\":{{\"type\":\"Polygon\",\"arcs\":{of}}}}}}}"
+        )
+    };
+    let drawn = |list: &str| format!("{{\"images\":[],\"annotations\":[{list}null]}}");
     let ring = format!("[[0,0]{}]", ",[3.125,4.5]".repeat(100));
     for (text, told) in [
         (path("z"), "nothing"),
@@ -159,6 +165,20 @@ fn large_files_of_small_things_take_little_more_than_themselves() {
         (fill("{\"geometry\":"), "broken"),
         (format!("{{\"type\":\"{}\"}}", fill("\\n")), "nothing"),
         (format!("{{\"coordinates\":\"{}\"}}", fill("x")), "broken"),
+        (topology(&fill("[[0,0],[9,0],[9,9],[0,8]],"), "[[0]]"), "geojson"),
+        (topology(&fill("[],"), "[[0]]"), "too-many"),
+        (topology(&fill("[[1,2],[3,4],[5,6],[7,8],[9,1],[1,1]],")[..1 << 20], "[[0]]"), "broken"),
+        (topology("[[0,0],[9,0],[9,9],[0,8]],", &format!("[{}[0]]", fill("[0],"))), "geojson"),
+        (
+            topology(&format!("[{}[0,8]],", "[0,0],[9,0],".repeat(9_000)), &format!("[{}[0]]", fill("[0],"))),
+            "broken",
+        ),
+        (drawn(&fill("{\"segmentation\":[[0,0,9,0,9,9,0,8]],\"category_id\":1},")), "geojson"),
+        (drawn(&format!("{{\"segmentation\":[[{}0,0]]}},", fill("1,"))), "flat"),
+        (drawn(&fill("{\"segmentation\":{\"counts\":[1,2]}},")), "nothing"),
+        (format!("{{\"x\":[{0}0],\"y\":[{0}0]}}", fill("1,")), "flat"),
+        (format!("[{}{{}}]", fill("{\"x\":1,\"y\":2},")), "flat"),
+        (format!("[{}0]", fill("{\"a\":{},\"b\":[]},")), "nothing"),
         (fill("1\n"), "series"),
         (fill("1,23;4,56\n"), "flat"),
         (fill("1 "), "series"),

@@ -1,56 +1,177 @@
-//! GeoJSON: rings and lines on the globe.
+//! JSON: rings and lines of GeoJSON and TopoJSON, on the globe or on a plane, and outlines that were drawn on pictures.
 
+mod annotation;
+mod evidence;
+mod topology;
 mod visit;
+mod word;
 
 use glam::DVec2;
 use serde::de::DeserializeSeed;
 
-use self::visit::{Found, Label, Nest, Object};
+use self::annotation::{Known, Node};
+use self::evidence::Units;
+use self::topology::{Arcs, arcs};
+use self::visit::{Found, Label, Nest, Object, Objects};
 use super::content::FileContent;
-use super::problem::ReadError;
+use super::problem::{ReadError, Remark};
 use super::text::short;
 
-/// The rings and lines of a text of GeoJSON; of a bare list of positions, that.
+/// What the first keys of a text say that it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// An object of GeoJSON or TopoJSON.
+    Object,
+    /// A list of objects of GeoJSON.
+    Objects,
+    /// A list of positions.
+    List,
+    /// Outlines drawn on pictures.
+    Pictures,
+    /// An object of another kind, which may have lists of points.
+    Other,
+}
+
+/// A factor that is nearer to 1 changes no shape that is seen.
+const UNSEEN: f64 = 0.005;
+
+/// The outlines of JSON; of a bare list of positions, that.
 pub fn read_geo(text: &str) -> Result<FileContent, ReadError> {
-    let mut found = find(text, true)?;
-    if found.degrees {
-        flatten_globe(&mut found);
-    } else {
-        found = find(text, false)?;
+    let kind = kind(text);
+    if matches!(kind, Kind::Pictures | Kind::Other) {
+        return pictures(text, kind == Kind::Pictures);
     }
+    let topology = if kind == Kind::Object { arcs(text)? } else { None };
+    let mut found = find(text, kind, topology.as_ref(), true)?;
+    let (units, factor) = (found.evidence.units(kind == Kind::List), found.evidence.factor());
+    if units != Units::Degrees {
+        found = find(text, kind, topology.as_ref(), false)?;
+    }
+    let mut remarks = Vec::new();
+    let mut say = |message: String| remarks.push(Remark::new("assumed", message));
+    let percent = (100.0 * factor).round();
+    match units {
+        // Degrees become lengths of one scale: those of longitude shrink with the cosine of the middle latitude.
+        Units::Degrees => {
+            found.gathered.change(|p| DVec2::new(factor * p.x, p.y));
+            if 1.0 - factor > UNSEEN {
+                say(format!(
+                    "The numbers are taken for longitudes and latitudes, so that widths shrink to {percent} %. If they \
+                     are pixels or millimetres, save them as a table of x and y (CSV)."
+                ));
+            }
+        }
+        Units::Guessed if 1.0 - factor > UNSEEN && found.count > 0 => say(format!(
+            "The numbers are taken for pixels or millimetres and stay as they are. If they are longitudes and \
+             latitudes, widths should shrink to {percent} %: give the file a crs that says so."
+        )),
+        Units::Pixels => {
+            found.gathered.mirror();
+            say(UPRIGHT.into());
+        }
+        Units::Guessed | Units::Lengths => {}
+    }
+    let long = found.evidence.long;
     let word = |label: &Label| match label.closed {
-        _ if is_list(text) => "list",
+        _ if kind == Kind::List => "list",
         true => "ring",
         false => "line",
     };
-    found.gathered.finish("geojson", Vec::new(), |label| {
-        format!("{} {}", label.name.as_deref().unwrap_or(word(label)), label.index + 1)
+    let read = found.gathered.finish("geojson", remarks, |label| {
+        format!(
+            "{} {}",
+            label.name.as_deref().map_or_else(|| word(label).into(), |name| short(name, 40)),
+            label.index + 1
+        )
+    });
+    read.map_err(|error| if long { nothing(text, true, error) } else { error })
+}
+
+const UPRIGHT: &str = "In pictures y goes down: the outlines are turned upright, as they are seen there.";
+
+/// Rows of more numbers than positions have, or objects with their letters, are maps.
+fn nothing(text: &str, long: bool, error: ReadError) -> ReadError {
+    let letters = || ["\"a\"", "\"b\"", "\"e\"", "\"f\""].iter().all(|key| text.contains(key));
+    let maps = long || letters() || text.contains("\"maps\"") || text.contains("\"transformations\"");
+    match error {
+        ReadError::Nothing { format: "JSON" } if maps => ReadError::Nothing { format: "maps" },
+        error => error,
+    }
+}
+
+/// Outlines drawn on pictures, where `upright` is to be made what has y downwards; or other lists of points.
+fn pictures(text: &str, upright: bool) -> Result<FileContent, ReadError> {
+    let (mut found, mut known) = (Found::default(), Known::default());
+    let mut from = serde_json::Deserializer::from_str(text);
+    // Older files of VIA have names of pictures for keys.
+    let named = upright && !text.contains("\"_via_img_metadata\"") && text.contains("\"shape_attributes\"");
+    let node = Node { found: &mut found, known: &mut known, points: text.starts_with('['), named };
+    node.deserialize(&mut from).and_then(|_| from.end()).map_err(|error| broken(&error))?;
+    let mut remarks = Vec::new();
+    if upright {
+        found.gathered.mirror();
+        remarks.push(Remark::new("assumed", UPRIGHT));
+    }
+    for (count, what) in [(known.others, "boxes, circles and points"), (known.masks, "masks of pixels")] {
+        if count > 0 {
+            let message = format!("Left out: {count} {what}. Only polygons and lines are read.");
+            remarks.push(Remark::new("ignored", message));
+        }
+    }
+    let (masks, others) = (known.masks, known.others);
+    let read = found.gathered.finish("geojson", remarks, |label| {
+        let class = label.class.and_then(|class| known.classes.iter().find(|(id, _)| *id == class));
+        let name = label.name.as_deref().or(class.map(|(_, name)| name.as_str())).unwrap_or("outline");
+        format!("{} {}", short(name, 40), label.index + 1)
+    });
+    read.map_err(|error| match error {
+        ReadError::Nothing { .. } if masks > 0 => ReadError::Nothing { format: "masks" },
+        ReadError::Nothing { .. } if others > 0 => ReadError::Nothing { format: "boxes" },
+        error => nothing(text, false, error),
     })
 }
 
-fn is_list(text: &str) -> bool {
-    text.trim_start().starts_with('[')
+fn broken(error: &serde_json::Error) -> ReadError {
+    ReadError::Broken { format: "JSON", why: short(&error.to_string(), 120) }
+}
+
+/// What the text is, by the keys that its beginning has.
+fn kind(text: &str) -> Kind {
+    let text = text.trim_start();
+    let list = text.strip_prefix('[').map(str::trim_start);
+    if list.is_some_and(|inside| !inside.starts_with('{')) {
+        return Kind::List;
+    }
+    let has = |key: &str| text.contains(&format!("\"{key}\""));
+    let geo = ["coordinates", "features", "geometry", "geometries", "Topology"].iter().any(|key| has(key));
+    let drawn = ["segmentation", "shapes", "shape_attributes", "polygonlabels", "classTitle"]
+        .iter()
+        .any(|key| has(key))
+        || (has("annotations") && (has("images") || has("result") || has("item") || has("polygon")));
+    match list {
+        _ if drawn => Kind::Pictures,
+        Some(_) if geo => Kind::Objects,
+        Some(_) => Kind::List,
+        None if geo => Kind::Object,
+        None => Kind::Other,
+    }
 }
 
 /// Finds all lines, on a globe or on a plane.
-fn find(text: &str, globe: bool) -> Result<Found, ReadError> {
+fn find(text: &str, kind: Kind, arcs: Option<&Arcs>, globe: bool) -> Result<Found, ReadError> {
     let mut from = serde_json::Deserializer::from_str(text);
-    let found = if is_list(text) {
-        let mut found = Found::default();
-        Nest { globe, found: &mut found }.deserialize(&mut from).map(|_| found)
-    } else {
-        Object { globe }.deserialize(&mut from)
+    let mut found = Found::default();
+    let object = Object { globe, arcs };
+    if let Some(arcs) = arcs {
+        arcs.used.set(0);
+    }
+    let read = match kind {
+        Kind::List => Nest { globe, found: &mut found }.deserialize(&mut from).map(|_| ()),
+        Kind::Objects => Objects { of: object, found: &mut found }.deserialize(&mut from),
+        Kind::Object | Kind::Pictures | Kind::Other => object.deserialize(&mut from).map(|all| found = all),
     };
-    found
-        .and_then(|found| from.end().map(|()| found))
-        .map_err(|error| ReadError::Broken { format: "JSON", why: short(&error.to_string(), 120) })
-}
-
-/// Degrees become lengths of one scale: those of longitude shrink with the cosine of the middle latitude.
-fn flatten_globe(found: &mut Found) {
-    let (low, high) = found.latitudes;
-    let factor = (0.5 * (low + high)).to_radians().cos().max(0.01);
-    found.gathered.change(|p| DVec2::new(factor * p.x, p.y));
+    read.and_then(|()| from.end()).map_err(|error| broken(&error))?;
+    Ok(found)
 }
 
 #[cfg(test)]

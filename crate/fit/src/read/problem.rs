@@ -122,7 +122,15 @@ fn nothing(format: &str) -> String {
         "SVG" => "The drawing has no shape with an outline: texts, pictures and what stands elsewhere are not read. \
             Turn texts into paths, and trace pictures, before it is saved."
             .into(),
-        _ => "The JSON has no outline: GeoJSON with a Polygon, a MultiPolygon or a LineString is read.".into(),
+        "maps" => "The JSON has no outline, but rows of numbers as maps have them: open it in Morph.".into(),
+        "masks" => "The file has masks of pixels and no polygons. Export polygons from the program that made it, or \
+            save a mask as PNG and open that."
+            .into(),
+        "boxes" => "The file has boxes, circles or points and no polygons. Draw a polygon in the program that made it."
+            .into(),
+        _ => "The JSON has no outline: GeoJSON and TopoJSON with a Polygon, a MultiPolygon or a LineString are read, \
+            and polygons of COCO, LabelMe, VIA and Label Studio."
+            .into(),
     }
 }
 

@@ -9,7 +9,14 @@ use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
 use super::super::gather::{About, Gathered, Line};
-use super::super::text::short;
+use super::evidence::{Crs, Evidence};
+use super::topology::{ArcNest, Arcs};
+use super::word::{Properties, Word};
+
+/// Longer ids of pictures are random letters.
+const MAX_ID: usize = 20;
+/// Behind x and y a position has a height and a time at most.
+const MOST_BESIDE: usize = 2;
 
 /// What a line is called.
 pub struct Label {
@@ -17,50 +24,52 @@ pub struct Label {
     /// How many lines came before it.
     pub index: usize,
     pub closed: bool,
+    /// The number of its class, which is named elsewhere.
+    pub class: Option<i64>,
 }
 
 /// The lines of a part of the text.
+#[derive(Default)]
 pub struct Found {
     pub gathered: Gathered<Label>,
-    count: usize,
-    /// Whether all of it may be longitudes and latitudes, which are these.
-    pub degrees: bool,
-    pub latitudes: (f64, f64),
-}
-
-impl Default for Found {
-    fn default() -> Self {
-        let latitudes = (f64::INFINITY, f64::NEG_INFINITY);
-        Self { gathered: Gathered::default(), count: 0, degrees: true, latitudes }
-    }
+    pub count: usize,
+    pub evidence: Evidence,
 }
 
 impl Found {
-    fn take(&mut self, line: &Line, closed: bool) {
+    pub fn take(&mut self, line: &Line, closed: bool) {
         if line.count > 0 {
-            let label = Label { name: None, index: self.count, closed: false };
+            let label = Label { name: None, index: self.count, closed: false, class: None };
             self.gathered.take(line, About { label, closed, ground: false });
             self.count += 1;
         }
     }
 
-    fn absorb(&mut self, mut later: Self) {
+    pub fn absorb(&mut self, mut later: Self) {
+        self.evidence.absorb(&later.evidence, later.count > 0);
         if later.count == 0 {
             return;
         }
         later.gathered.kept.iter_mut().for_each(|kept| kept.label.index += self.count);
         self.gathered.absorb(later.gathered);
         self.count += later.count;
-        self.degrees &= later.degrees;
-        self.latitudes = (self.latitudes.0.min(later.latitudes.0), self.latitudes.1.max(later.latitudes.1));
+    }
+
+    /// Names those that have no name yet.
+    pub fn name(&mut self, name: &str) {
+        for kept in &mut self.gathered.kept {
+            kept.label.name.get_or_insert_with(|| name.to_owned());
+        }
     }
 }
 
 /// Any object of GeoJSON, as much of it as counts.
 #[derive(Clone, Copy)]
-pub struct Object {
+pub struct Object<'a> {
     /// Whether coordinates are taken for degrees.
     pub globe: bool,
+    /// The lines that `arcs` are numbers of, in TopoJSON.
+    pub arcs: Option<&'a Arcs>,
 }
 
 #[derive(Deserialize)]
@@ -73,11 +82,15 @@ enum Key {
     Geometry,
     Id,
     Properties,
+    Crs,
+    CoordRefSys,
+    Arcs,
+    Objects,
     #[serde(other)]
     Other,
 }
 
-impl<'de> DeserializeSeed<'de> for Object {
+impl<'de> DeserializeSeed<'de> for Object<'_> {
     type Value = Found;
 
     fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<Found, D::Error> {
@@ -85,7 +98,7 @@ impl<'de> DeserializeSeed<'de> for Object {
     }
 }
 
-impl<'de> Visitor<'de> for Object {
+impl<'de> Visitor<'de> for Object<'_> {
     type Value = Found;
 
     fn expecting(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -105,17 +118,36 @@ impl<'de> Visitor<'de> for Object {
         let (mut kind, mut name, mut id): (Option<String>, _, _) = (None, None, None);
         while let Some(key) = map.next_key()? {
             match key {
-                Key::Type => kind = map.next_value_seed(Word { named: false })?,
-                Key::Id => id = map.next_value_seed(Word { named: false })?,
-                Key::Properties => name = map.next_value_seed(Word { named: true })?,
+                Key::Type => kind = map.next_value_seed(Word)?,
+                Key::Id => id = map.next_value_seed(Word)?,
+                Key::Properties => {
+                    let properties = map.next_value_seed(Properties::default())?;
+                    inner.evidence.picture |= properties.picture;
+                    name = properties.name;
+                }
+                Key::Crs | Key::CoordRefSys => {
+                    let said = map.next_value_seed(Properties::default())?;
+                    inner.evidence.crs = said.crs.or(said.name).as_deref().and_then(Crs::of);
+                }
                 Key::Geometry => inner.absorb(map.next_value_seed(self)?),
                 Key::Features | Key::Geometries => {
-                    map.next_value_seed(Objects { globe: self.globe, found: &mut inner })?;
+                    map.next_value_seed(Objects { of: self, found: &mut inner })?;
+                }
+                Key::Arcs => match self.arcs {
+                    Some(arcs) => {
+                        map.next_value_seed(ArcNest { arcs, globe: self.globe, found: &mut own })?;
+                    }
+                    None => {
+                        map.next_value::<IgnoredAny>()?;
+                    }
+                },
+                Key::Objects if self.arcs.is_some() => {
+                    map.next_value_seed(Objects { of: self, found: &mut inner })?;
                 }
                 Key::Coordinates if kind.as_deref().is_none_or(|kind| closes(kind).is_some()) => {
                     map.next_value_seed(Nest { globe: self.globe, found: &mut own })?;
                 }
-                Key::Coordinates | Key::Other => {
+                Key::Coordinates | Key::Objects | Key::Other => {
                     map.next_value::<IgnoredAny>()?;
                 }
             }
@@ -127,10 +159,8 @@ impl<'de> Visitor<'de> for Object {
             own.gathered.kept.iter_mut().for_each(|kept| kept.label.closed = closed);
             inner.absorb(own);
         }
-        if let Some(name) = name.or(id) {
-            for kept in &mut inner.gathered.kept {
-                kept.label.name.get_or_insert_with(|| name.clone());
-            }
+        if let Some(name) = name.or(id.filter(|id| !inner.evidence.picture || id.len() < MAX_ID)) {
+            inner.name(&name);
         }
         Ok(inner)
     }
@@ -145,10 +175,10 @@ fn closes(kind: &str) -> Option<bool> {
     }
 }
 
-/// A list of objects.
-struct Objects<'a> {
-    globe: bool,
-    found: &'a mut Found,
+/// A list of objects, or an object of named ones.
+pub struct Objects<'a> {
+    pub of: Object<'a>,
+    pub found: &'a mut Found,
 }
 
 impl<'de> DeserializeSeed<'de> for Objects<'_> {
@@ -175,10 +205,43 @@ impl<'de> Visitor<'de> for Objects<'_> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<(), A::Error> {
-        while let Some(found) = seq.next_element_seed(Object { globe: self.globe })? {
+        while let Some(found) = seq.next_element_seed(self.of)? {
             self.found.absorb(found);
         }
         Ok(())
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+        while let Some(name) = map.next_key_seed(Word)? {
+            let mut found = map.next_value_seed(self.of)?;
+            if let Some(name) = name {
+                found.name(&name);
+            }
+            self.found.absorb(found);
+        }
+        Ok(())
+    }
+}
+
+/// The way along a line, which may cross the date line.
+#[derive(Default)]
+pub struct Walk {
+    ends: Option<(DVec2, DVec2)>,
+    turned: f64,
+}
+
+impl Walk {
+    /// Where the next point lies: across the date line the numbers jump, the coast does not.
+    pub fn step(&mut self, p: DVec2, globe: bool) -> DVec2 {
+        if let (true, Some((_, before))) = (globe, self.ends) {
+            self.turned -= 360.0 * ((p.x - before.x) / 360.0).round();
+        }
+        self.ends = Some((self.ends.map_or(p, |(start, _)| start), p));
+        DVec2::new(p.x + self.turned, p.y)
+    }
+
+    pub fn returns(&self) -> bool {
+        self.ends.is_some_and(|(start, end)| start == end)
     }
 }
 
@@ -230,18 +293,28 @@ impl<'de> Visitor<'de> for Nest<'_> {
         Err(E::custom("a word stands where coordinates should"))
     }
 
+    /// A position by its names: `{"x": 1, "y": 2}`.
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Item, A::Error> {
+        Ok(named_position(map)?.map_or(Item::Other, Item::Position))
+    }
+
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Item, A::Error> {
         let Self { globe, found } = self;
         let mut line = Line::default();
-        let (mut raw, mut turned): (Option<(DVec2, DVec2)>, f64) = (None, 0.0);
+        let mut walk = Walk::default();
         let mut first = true;
         while let Some(item) = seq.next_element_seed(Nest { globe, found: &mut *found })? {
             match item {
                 Item::Number(x) if first => {
                     // A position: what comes after its second number is height and time.
                     let y = seq.next_element_seed(Nest { globe, found: &mut Found::default() })?;
-                    while seq.next_element::<IgnoredAny>()?.is_some() {}
+                    let mut more = 0;
+                    while seq.next_element::<IgnoredAny>()?.is_some() {
+                        more += 1;
+                    }
+                    found.evidence.long |= more > MOST_BESIDE;
                     return Ok(match y {
+                        _ if more > MOST_BESIDE => Item::Other,
                         Some(Item::Number(y)) if x.abs() <= 1e100 && y.abs() <= 1e100 => {
                             Item::Position(DVec2::new(x, y))
                         }
@@ -249,95 +322,44 @@ impl<'de> Visitor<'de> for Nest<'_> {
                     });
                 }
                 Item::Position(p) => {
-                    found.degrees &= p.x.abs() <= 360.0 && p.y.abs() <= 90.0;
-                    found.latitudes = (found.latitudes.0.min(p.y), found.latitudes.1.max(p.y));
-                    // Across the date line the numbers jump, the coast does not.
-                    if let (true, Some((_, before))) = (globe, raw) {
-                        turned -= 360.0 * ((p.x - before.x) / 360.0).round();
-                    }
-                    raw = Some((raw.map_or(p, |(start, _)| start), p));
-                    line.push(DVec2::new(p.x + turned, p.y));
+                    found.evidence.take(p);
+                    line.push(walk.step(p, globe));
                 }
                 Item::Number(_) | Item::Other => {}
             }
             first = false;
         }
-        found.take(&line, raw.is_some_and(|(start, end)| start == end));
+        found.take(&line, walk.returns());
         Ok(Item::Other)
     }
 }
 
-/// A word or a number as a short text; with `named`, what the name in an object is.
-#[derive(Clone, Copy)]
-struct Word {
-    named: bool,
-}
-
 #[derive(Deserialize)]
 #[serde(field_identifier)]
-enum NameKey {
-    #[serde(rename = "name", alias = "NAME", alias = "Name")]
-    Name,
+enum Coordinate {
+    #[serde(rename = "x", alias = "X", alias = "lon", alias = "lng", alias = "longitude")]
+    X,
+    #[serde(rename = "y", alias = "Y", alias = "lat", alias = "latitude")]
+    Y,
     #[serde(other)]
     Other,
 }
 
-impl<'de> DeserializeSeed<'de> for Word {
-    type Value = Option<String>;
-
-    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<Option<String>, D::Error> {
-        from.deserialize_any(self)
-    }
-}
-
-impl<'de> Visitor<'de> for Word {
-    type Value = Option<String>;
-
-    fn expecting(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        to.write_str("a name")
-    }
-
-    fn visit_unit<E>(self) -> Result<Option<String>, E> {
-        Ok(None)
-    }
-
-    fn visit_bool<E>(self, value: bool) -> Result<Option<String>, E> {
-        Ok(Some(value.to_string()))
-    }
-
-    fn visit_f64<E>(self, value: f64) -> Result<Option<String>, E> {
-        Ok(Some(short(&value.to_string(), 40)))
-    }
-
-    fn visit_i64<E>(self, value: i64) -> Result<Option<String>, E> {
-        Ok(Some(value.to_string()))
-    }
-
-    fn visit_u64<E>(self, value: u64) -> Result<Option<String>, E> {
-        Ok(Some(value.to_string()))
-    }
-
-    fn visit_str<E>(self, value: &str) -> Result<Option<String>, E> {
-        Ok(Some(short(value, 40)))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Option<String>, A::Error> {
-        while seq.next_element::<IgnoredAny>()?.is_some() {}
-        Ok(None)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Option<String>, A::Error> {
-        let mut name = None;
-        while let Some(key) = map.next_key()? {
-            match key {
-                NameKey::Name if self.named && name.is_none() => {
-                    name = map.next_value_seed(Self { named: false })?;
-                }
-                _ => {
-                    map.next_value::<IgnoredAny>()?;
-                }
+fn named_position<'de, A: MapAccess<'de>>(mut map: A) -> Result<Option<DVec2>, A::Error> {
+    let (mut x, mut y) = (None, None);
+    while let Some(key) = map.next_key()? {
+        let place = match key {
+            Coordinate::X => &mut x,
+            Coordinate::Y => &mut y,
+            Coordinate::Other => {
+                map.next_value::<IgnoredAny>()?;
+                continue;
             }
+        };
+        let item = map.next_value_seed(Nest { globe: false, found: &mut Found::default() })?;
+        if let Item::Number(value) = item {
+            *place = Some(value).filter(|value| value.abs() <= 1e100);
         }
-        Ok(name)
     }
+    Ok(x.zip(y).map(DVec2::from))
 }
