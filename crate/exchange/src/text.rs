@@ -2,6 +2,11 @@
 
 use std::borrow::Cow;
 
+use crate::formula::is_minus;
+
+/// As many bytes are looked at to find out whether a text without a mark is UTF-16.
+const SAMPLED_BYTES: usize = 1024;
+
 /// Reads bytes as UTF-8, as UTF-16 where a mark says so, or else as Latin-1: old files name their shapes in it. Every
 /// line ends as Rust knows lines to, also where it ended with a carriage return alone.
 pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
@@ -24,6 +29,20 @@ fn decode_lines(bytes: &[u8]) -> Cow<'_, str> {
     }
     if let Some(rest) = bytes.strip_prefix(b"\xfe\xff") {
         return Cow::Owned(wide(rest, u16::from_be_bytes));
+    }
+    // UTF-16 without a mark is known by the zeros in it.
+    let (mut pairs, mut first, mut second) = (0, 0, 0);
+    for pair in bytes[..bytes.len().min(SAMPLED_BYTES)].chunks_exact(2) {
+        pairs += 1;
+        first += usize::from(pair[0] == 0);
+        second += usize::from(pair[1] == 0);
+    }
+    let many = |zeros: usize| pairs > 1 && 4 * zeros >= 3 * pairs;
+    if first == 0 && many(second) {
+        return Cow::Owned(wide(bytes, u16::from_le_bytes));
+    }
+    if second == 0 && many(first) {
+        return Cow::Owned(wide(bytes, u16::from_be_bytes));
     }
     let rest = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     str::from_utf8(rest)
@@ -54,6 +73,8 @@ impl<'a> Lines<'a> {
     }
 }
 
+/// The longest number that is typeset.
+const LONGEST_TYPESET: usize = 100;
 /// The most letters of a name.
 pub const MAX_NAME: usize = 60;
 
@@ -83,8 +104,16 @@ pub fn name_or(text: &str, otherwise: &str) -> String {
     if name.is_empty() { otherwise.to_owned() } else { name }
 }
 
-/// A finite number, as most programs write it.
+/// A finite number, as most programs write it, or as it is typeset: with a minus that is no hyphen.
 pub fn number(word: &str) -> Option<f64> {
+    if !word.is_ascii() {
+        // A number of the sizes that are written has far fewer letters.
+        if word.len() > LONGEST_TYPESET || !word.contains(is_minus) {
+            return None;
+        }
+        let plain = word.replace(is_minus, "-");
+        return if plain.is_ascii() { number(&plain) } else { None };
+    }
     // What Rust reads besides: "inf", "nan", "infinity".
     if word.bytes().any(|byte| byte.is_ascii_alphabetic() && !matches!(byte, b'e' | b'E')) {
         return None;
@@ -101,6 +130,8 @@ mod tests {
         assert_eq!(decode(b"\xef\xbb\xbfa { 1 }"), "a { 1 }");
         assert_eq!(decode(b"\xff\xfe1\0,\x002\0\n"), "1,2");
         assert_eq!(decode(b"\xfe\xff\x001\0,"), "1,");
+        assert_eq!(decode(b"1\0,\x002\0"), "1,2");
+        assert_eq!(decode(b"\x001\0,\x002"), "1,2");
         assert_eq!(decode(b"Foug\xe8re"), "Fougère");
         assert_eq!(decode("Fougère".as_bytes()), "Fougère");
     }
@@ -134,12 +165,18 @@ mod tests {
 
     #[test]
     fn numbers_are_finite() {
-        for (word, wanted) in
-            [(".5", Some(0.5)), ("-1.", Some(-1.0)), ("+2e-3", Some(2e-3)), ("1E2", Some(100.0))]
-        {
+        for (word, wanted) in [
+            (".5", Some(0.5)),
+            ("-1.", Some(-1.0)),
+            ("+2e-3", Some(2e-3)),
+            ("1E2", Some(100.0)),
+            ("\u{2212}0.04", Some(-0.04)),
+            ("–5e−3", Some(-5e-3)),
+        ] {
             assert_eq!(number(word), wanted, "{word}");
         }
-        for word in ["", ".", "nan", "inf", "-infinity", "1e999", "1d3", "0x1", "1,5", "e", "1e"] {
+        for word in ["", ".", "nan", "inf", "-infinity", "1e999", "1d3", "0x1", "1,5", "e", "1e", "−", "ƒ1"]
+        {
             assert_eq!(number(word), None, "{word}");
         }
     }

@@ -5,8 +5,11 @@
 //! and commas part numbers, and what follows a semicolon is a remark. Fractint counts numbers and does not look at
 //! lines; others have a map a line. Both are read: by lines where each has as many as a map.
 
+use std::borrow::Cow;
+
 use frond_core::MAX_MAPS;
 
+use super::decimal::{decimal_word, has_decimal_commas};
 use super::fractint_error::FileError;
 use super::problem::{Gathered, ImportError, MAX_SYSTEMS};
 use crate::system::{Maps, Row3, System};
@@ -127,7 +130,7 @@ fn entries(text: &str) -> Result<Vec<Entry<'_>>, FileError> {
                 }
                 (Some(at), Some(entry)) if rest[at..].starts_with('}') => {
                     entry.take(&rest[..at], line_number);
-                    entries.extend(open.take().filter(|entry| !entry.told));
+                    entries.extend(open.take().filter(|entry| !entry.told).map(Entry::settle));
                     rest = &rest[at + 1..];
                 }
                 _ => return Err(FileError::Brace { line: line_number }),
@@ -150,7 +153,9 @@ struct Entry<'a> {
     /// `comment { .. }`: Fractint keeps words in such entries.
     told: bool,
     line: usize,
-    words: Vec<(&'a str, u32)>,
+    words: Vec<(Cow<'a, str>, u32)>,
+    /// Whether commas are decimal ones.
+    decimal: bool,
 }
 
 impl<'a> Entry<'a> {
@@ -166,6 +171,7 @@ impl<'a> Entry<'a> {
             told,
             line,
             words: Vec::new(),
+            decimal: false,
         }
     }
 
@@ -175,14 +181,36 @@ impl<'a> Entry<'a> {
         }
         // A file has no more lines than bytes, and those are few.
         let line = line as u32;
-        for word in text.split([' ', '\t', ',', '\u{c}', '\u{1a}']).filter(|word| !word.is_empty()) {
+        let parts = |c: char| c.is_whitespace() || c == '\u{1a}';
+        for word in text.split(parts).filter(|word| !word.is_empty()) {
             let sign = word.get(..SIGN.len()).is_some_and(|start| start.eq_ignore_ascii_case(SIGN));
             self.solid |= sign;
             let word = if sign { &word[SIGN.len()..] } else { word };
             if !word.is_empty() {
-                self.words.push((word, line));
+                self.words.push((word.into(), line));
             }
         }
+    }
+
+    /// Once all words are there: commas part them, or are decimal ones, where maps come of it.
+    fn settle(mut self) -> Self {
+        let lines = || self.words.chunk_by(|one, other| one.1 == other.1);
+        let words =
+            |line: &[(Cow<'a, str>, u32)]| line.iter().map(|(word, _)| &**word).collect::<Vec<_>>().join(" ");
+        self.decimal = has_decimal_commas(lines().map(words));
+        let decimal = self.decimal;
+        self.words = std::mem::take(&mut self.words)
+            .into_iter()
+            .filter(|(word, _)| word.contains(|c| c != ','))
+            .flat_map(|(word, line)| match word {
+                _ if decimal => vec![(decimal_word(&word).into(), line)],
+                Cow::Borrowed(word) => {
+                    word.split(',').filter(|word| !word.is_empty()).map(|word| (word.into(), line)).collect()
+                }
+                Cow::Owned(word) => vec![(Cow::Owned(word), line)],
+            })
+            .collect();
+        self
     }
 
     /// How many words each line has.
@@ -193,8 +221,8 @@ impl<'a> Entry<'a> {
     /// Its maps of `N` numbers, and the weight of each that has one.
     fn rows<const N: usize>(&self) -> Result<(Vec<[f64; N]>, Weights), FileError> {
         let Self { name, line, words, .. } = self;
-        let read = |&(word, line): &(&str, u32)| {
-            number(word).ok_or_else(|| FileError::Number { line: line as usize, word: short(word, 40) })
+        let read = |(word, line): &(Cow<'_, str>, u32)| {
+            number(word).ok_or_else(|| FileError::Number { line: *line as usize, word: short(word, 40) })
         };
         let numbers: Vec<f64> = words.iter().map(read).collect::<Result<_, _>>()?;
         let by_lines = self.widths().all(|width| width == N || width == N + 1);
@@ -248,6 +276,9 @@ impl<'a> Entry<'a> {
                 "No (3D) stands behind the name, but each line has 13 numbers: read as a system of space.";
             system.remarks.push(remark.into());
         }
+        if self.decimal {
+            system.remarks.push("Commas are taken for decimal points.".into());
+        }
         system.take_weights(&weights);
         Ok((system, weights))
     }
@@ -293,6 +324,25 @@ mod tests {
     }
 
     /// Against the numbers as they stand there, and against what reads files of any kind.
+    #[test]
+    fn decimal_commas_are_told_from_those_that_part_numbers() {
+        let halves = [[0.5, 0.0, 0.0, 0.5, 0.0, 0.0], [0.5, 0.0, 0.0, 0.5, 0.5, 0.0]];
+        for (text, is_decimal) in [
+            ("a {\n 0,5 0 0 0,5 0 0 0,33\n 0,5 0 0 0,5 0,5 0 0,67\n}", true),
+            ("a {\n 0,5, 0, 0, 0,5, 0, 0, 0,33\n 0,5, 0, 0, 0,5, 0,5, 0, 0,67\n}", true),
+            ("a {\n .5,0,0,.5,0,0,.33\n .5, 0, 0, .5, .5, 0, .67\n}", false),
+            ("a {\n .5 0 0 .5\u{a0}\u{2212}0 0 .33\n .5 0 0 .5 .5 0 .67\n}", false),
+        ] {
+            let found = read_fractint(text).unwrap().systems.remove(0);
+            assert_eq!(found.maps, Maps::Plane(halves.to_vec()), "{text}");
+            assert_eq!(found.probabilities, [0.33, 0.67], "{text}");
+            assert_eq!(found.remarks.len(), usize::from(is_decimal), "{text}");
+        }
+        // Whole numbers stay what they are.
+        let found = read_fractint("a { 1,2,3,4,5,6 }").unwrap().systems.remove(0);
+        assert_eq!(found.maps, Maps::Plane(vec![[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]]));
+    }
+
     #[test]
     fn weights_belong_to_the_maps_they_stand_with() {
         let row = |x: usize| format!("{x} 0 0 0 .5 0 0 0 .5 0 0 0");

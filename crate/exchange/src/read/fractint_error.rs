@@ -80,9 +80,7 @@ pub enum FileError {
 const fn needs(needed: usize) -> &'static str {
     match needed {
         12 => "Each map has 13: nine of the matrix, three of the shift, one probability.",
-        _ => {
-            "Each map has six, a b c d e f, or seven with its weight, in a line of its own. Decimals have a point."
-        }
+        _ => "Each map has six, a b c d e f, or seven with its weight, in a line of its own.",
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::flame::SIGNS;
 use super::problem::{Gathered, ImportError};
+use super::tex::is_tex;
 use super::{flame, fractint, ifstile, json, table};
 use crate::png::{is_png, link_in_png};
 use crate::system::System;
@@ -82,15 +83,16 @@ const HEAD_BYTES: usize = 64 << 10;
 /// [`ImportError`], with the line where there are lines. Where several systems are in a file, one that is miswritten is
 /// passed over and said.
 pub fn import(bytes: &[u8]) -> Result<Imported, ImportError> {
-    let format = format_of(bytes)?;
+    let mut format = format_of(bytes)?;
     let most = format.most();
     if bytes.len() > most << 20 {
         let megabytes = bytes.len().div_ceil(1 << 20);
         return Err(ImportError::TooLarge { format: format.words(), megabytes, most });
     }
-    let document = |link| Imported { format, systems: Vec::new(), remarks: Vec::new(), link: Some(link) };
+    let document =
+        |format, link| Imported { format, systems: Vec::new(), remarks: Vec::new(), link: Some(link) };
     if format == FileFormat::Png {
-        return link_in_png(bytes).map(document).ok_or(ImportError::NoLink);
+        return link_in_png(bytes).map(|link| document(format, link)).ok_or(ImportError::NoLink);
     }
     let text = decode(bytes);
     let read = match format {
@@ -98,9 +100,15 @@ pub fn import(bytes: &[u8]) -> Result<Imported, ImportError> {
         FileFormat::Flame => flame::read_flames(&text),
         FileFormat::IfsTile => ifstile::read_ifstile(&text),
         FileFormat::Table => table::read_table(&text),
-        FileFormat::Json | FileFormat::Png => match json::read_json(&text)? {
-            json::Content::Link(link) => return Ok(document(link)),
-            json::Content::Systems(systems) => Ok(systems),
+        FileFormat::Json | FileFormat::Png => match json::read_json(&text) {
+            Ok(json::Content::Link(link)) => return Ok(document(format, link)),
+            Ok(json::Content::Systems(systems)) => Ok(systems),
+            // Rows in brackets, as programs print them, are no JSON.
+            Err(error) if error.code() == "json-broken" && text.trim_start().starts_with('[') => {
+                format = FileFormat::Table;
+                table::read_table(&text).map_err(|_| error)
+            }
+            Err(error) => Err(error),
         },
     };
     let Gathered { systems, remarks, .. } = read?;
@@ -156,6 +164,10 @@ fn format_of(bytes: &[u8]) -> Result<FileFormat, ImportError> {
     if lines.any(|line| line.starts_with('@') || line.starts_with("$dim")) {
         return Ok(FileFormat::IfsTile);
     }
+    // LaTeX and lists of Mathematica have braces, too.
+    if is_tex(text) || text.starts_with("{{") {
+        return Ok(FileFormat::Table);
+    }
     let braces =
         text.lines().any(|line| line.split(';').next().is_some_and(|line| line.contains(['{', '}'])));
     Ok(if braces { FileFormat::Fractint } else { FileFormat::Table })
@@ -209,6 +221,8 @@ mod tests {
             (b"[[1,2,3,4,5,6]]", "json"),
             (b"# by hand\n@\n$dim=2\nA=A", "ifstile"),
             (b"a,b,c,d,e,f\n1,2,3,4,5,6\n", "table"),
+            (b"{{1,2,3,4,5,6}}", "table"),
+            (b"\\begin{tabular}{c}\n1&2\\\\", "table"),
             (b"\x89PNG\r\n\x1a\n", "png"),
             (b"", "file-empty"),
             (b" \r\n\t", "file-empty"),

@@ -1,9 +1,11 @@
-//! JSON: maps as the programming interface has them, alone or several, or a whole document.
+//! JSON: maps as the programming interface has them, alone or several, or as other programs have them, or a whole
+//! document.
 
 use frond_core::MAX_MAPS;
 use frond_scene::{Scene, encode};
 use serde_json::Value;
 
+use super::json_map::{number_of, read_map};
 use super::problem::{Gathered, ImportError, MAX_SYSTEMS};
 use crate::colour::read_hex;
 use crate::system::{Maps, System};
@@ -31,7 +33,9 @@ pub fn read_json(text: &str) -> Result<Content, ImportError> {
     }
     let list = match &value {
         // Rows of one system.
-        Value::Array(list) if list.iter().all(Value::is_array) => std::slice::from_ref(&value),
+        Value::Array(list) if list.iter().all(|row| row.is_array() || read_map(row).is_some()) => {
+            std::slice::from_ref(&value)
+        }
         Value::Array(list) => list,
         Value::Object(fields) => match fields.get("systems") {
             Some(Value::Array(list)) => list,
@@ -57,6 +61,20 @@ fn within(code: &'static str, why: String) -> ImportError {
     ImportError::Within { code, why }
 }
 
+/// What lists of maps are called.
+const LISTS: [&str; 10] = [
+    "maps",
+    "transforms",
+    "transformations",
+    "functions",
+    "affine",
+    "affines",
+    "matrices",
+    "rows",
+    "rules",
+    "ifs",
+];
+
 /// What is wrong, without the line and the column, which are said before.
 fn without_place(error: &serde_json::Error) -> String {
     let text = error.to_string();
@@ -77,24 +95,27 @@ fn system(value: &Value, number: usize) -> Result<System, ImportError> {
     let name = value.get("name").and_then(Value::as_str).map_or_else(String::new, |name| name_or(name, ""));
     let whose = if name.is_empty() { format!("System {number}") } else { format!("“{name}”") };
     let wrong = |code, why: &str| within(code, format!("{whose}: {why}"));
-    let Some(list) = value.get("maps").unwrap_or(value).as_array() else { return Err(nothing()) };
+    let list = LISTS.iter().find_map(|name| value.get(*name)).unwrap_or(value);
+    let Some(list) = list.as_array() else { return Err(nothing()) };
     if list.len() > MAX_MAPS {
         return Err(wrong(
             "json-maps",
             &format!("there are {} maps, and the most is 64. Leave some out.", list.len()),
         ));
     }
-    let numbers = |list: &Value| -> Option<Vec<f64>> { list.as_array()?.iter().map(Value::as_f64).collect() };
-    let mut rows = Vec::new();
+    let numbers = |list: &Value| -> Option<Vec<f64>> { list.as_array()?.iter().map(number_of).collect() };
+    let (mut rows, mut weights) = (Vec::new(), Vec::new());
     for (k, row) in list.iter().enumerate() {
-        let read = if row.as_array().is_some_and(|row| row.len() > 13) { None } else { numbers(row) };
-        match read {
-            Some(row) if matches!(row.len(), 6 | 12) => rows.push(row),
-            _ => {
-                let why = format!("map {} is no list of six numbers, or twelve for space.", k + 1);
-                return Err(wrong("json-map", &why));
-            }
-        }
+        let Some(map) = read_map(row) else {
+            let why = format!(
+                "map {} is no list of six numbers, or twelve for space, with a weight or without one, and no object \
+                 with the letters a to f.",
+                k + 1
+            );
+            return Err(wrong("json-map", &why));
+        };
+        rows.push(map.row);
+        weights.push(map.weight);
     }
     let Some(size) = rows.first().map(Vec::len) else { return Err(nothing()) };
     if rows.iter().any(|row| row.len() != size) {
@@ -113,6 +134,8 @@ fn system(value: &Value, number: usize) -> Result<System, ImportError> {
             }
             _ => system.remarks.push("Its probabilities are not one number for each map: left out.".into()),
         }
+    } else {
+        system.take_weights(&weights);
     }
     if let Some(given) = value.get("colours") {
         let colours = given.as_array().filter(|list| list.len() == rows.len()).and_then(|list| {
@@ -154,6 +177,24 @@ mod tests {
         ));
         assert_eq!((two[0].name.as_str(), &two[0].probabilities[..]), ("Fern", &[2.0][..]));
         assert_eq!(two.len(), 2);
+    }
+
+    #[test]
+    fn maps_of_other_programs_are_read() {
+        let fern = vec![[0.0, 0.0, 0.0, 0.16, 0.0, 0.0], [0.85, 0.04, -0.04, 0.85, 0.0, 1.6]];
+        for text in [
+            "[[0, 0, 0, 0.16, 0, 0, 0.01], [0.85, 0.04, -0.04, 0.85, 0, 1.6, 0.85]]",
+            r#"{"name": "fern", "transforms": [{"a": 0, "b": 0, "c": 0, "d": 0.16, "e": 0, "f": 0, "p": 0.01},
+                {"a": 0.85, "b": 0.04, "c": -0.04, "d": 0.85, "e": 0, "f": 1.6, "p": 0.85}]}"#,
+            r#"[{"a": 0, "b": 0, "c": 0, "d": 0.16, "e": 0, "f": 0, "p": 0.01},
+                {"a": 0.85, "b": 0.04, "c": -0.04, "d": 0.85, "e": 0, "f": 1.6, "p": 0.85}]"#,
+            r#"{"iterations": 28, "transformations": [["0.01", "0, .16*y"], ["0.85", ".85*x + .04*y, -.04*x + .85*y + 1.6"]]}"#,
+            r#"{"maps": [["0", "0", "0", "4/25", "0", "0"], [0.85, "1/25", "-1/25", 0.85, 0, "8/5"]], "probabilities": ["1/100", 0.85]}"#,
+        ] {
+            let found = systems(text).remove(0);
+            assert_eq!(found.maps, Maps::Plane(fern.clone()), "{text}");
+            assert_eq!(found.probabilities, [0.01, 0.85], "{text}");
+        }
     }
 
     #[test]
