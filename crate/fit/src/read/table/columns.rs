@@ -276,7 +276,11 @@ impl Columns {
                 format!("As the heading says, column {x} is read as x and column {y} as y."),
             )),
             _ if self.more => {
-                Some(Remark::new("ignored", format!("Only columns {x} and {y} of the table were read.")))
+                let mut message = format!("Only columns {x} and {y} of the table were read.");
+                if self.chosen != Chosen::Named && matches!(self.numeric.len(), 6 | 7 | 12 | 13) {
+                    message += " If its rows are maps, open it in Morph.";
+                }
+                Some(Remark::new("ignored", message))
             }
             _ => None,
         }
