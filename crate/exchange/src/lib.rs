@@ -20,7 +20,7 @@
 //! | Fractint's `.ifs`, and others like it | six or seven numbers a map, in space (`(3D)`) twelve or thirteen |
 //! | `.flame` (flam3, Apophysis, JWildfire) | the linear part of transforms, in space too, with `post`, and their colours |
 //! | `.aifs` (IFStile) | maps of numbers, their products and one equation of a set; `read/ifstile.rs` says what else |
-//! | JSON | `{ maps }` as the programming interface has it, alone or several, rows of six or seven numbers, objects with the letters a to f, formulas; whole documents |
+//! | JSON | `{ maps }` as the programming interface has it, alone or several; rows, objects a to f, formulas; documents |
 //! | tables | six or seven columns, in space twelve or thirteen; also as books, encyclopedias and LaTeX print them |
 //! | PNG | the link that Frond wrote into it |
 //!
@@ -29,8 +29,8 @@
 //!
 //! # In which order to read it
 //!
-//! 1. `system`: what is exchanged. `number`: how its numbers are written where exact ones are wanted. `formula`: how formulas are read. `colour`: as the
-//!    web writes them.
+//! 1. `system`: what is exchanged. `number`: how its numbers are written where exact ones are wanted. `formula`:
+//!    how formulas are read. `colour`: as the web writes them.
 //! 2. `read/`: a file a format; `import` tells which it is, `problem` says what can be wrong.
 //! 3. `write/`: a file a format; `export` chooses, and says what each is called.
 //! 4. `png`: the link in a picture. `locus`: the samples of a locus, for other programs to work on.

@@ -3,8 +3,8 @@
 /// How many numbers a map may have in a line: of the plane or of space, with a weight and a number of its own.
 const WIDTHS: [usize; 6] = [6, 7, 8, 12, 13, 14];
 
-/// Whether commas are decimal ones in lines with numbers: no point is anywhere, and each line has as many words as a map
-/// has numbers. Taken for commas that part whole numbers, they would make maps that shrink nothing.
+/// Whether commas are decimal ones in lines with numbers: no point is anywhere, and each line has as many words as a
+/// map has numbers. Taken for commas that part whole numbers, they would make maps that shrink nothing.
 pub fn has_decimal_commas(lines: impl Iterator<Item = impl AsRef<str>>) -> bool {
     let mut found = false;
     for line in lines {

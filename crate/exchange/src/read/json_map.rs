@@ -1,4 +1,5 @@
-//! A map as JSON has it: a row of numbers, an object with its letters, a matrix with a shift, or two formulas of x and y.
+//! A map as JSON has it: a row of numbers, an object with its letters, a matrix with a shift, or two formulas of x
+//! and y.
 
 use serde_json::{Map, Value};
 
