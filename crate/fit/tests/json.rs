@@ -62,7 +62,11 @@ fn a_square_in_pixels_or_millimetres_stays_a_square() {
         (ring(&sixty), &sixty),
         (ring(&far), &far),
         (collection("", "{}", &polygon(&sixty)), &sixty),
-        (collection("", r#"{"classification": "road"}"#, &polygon(&sixty)), &sixty),
+        (collection("", r#"{"classification": "road", "kind": "shapes"}"#, &polygon(&sixty)), &sixty),
+        (
+            collection(r#""crs": {"type": "EPSG", "properties": {"code": 28992}},"#, "{}", &polygon(&far)),
+            &far,
+        ),
         (collection(&crs("urn:ogc:def:crs:EPSG::28992"), "{}", &polygon(&far)), &far),
         (
             format!(

@@ -116,10 +116,17 @@ fn signs_of_typesetters_are_read() {
         rows(|_, x, y| format!("{x};{y}").replace('.', ",").replace('-', "\u{2212}")),
         rows(|_, x, y| format!("({x}, {y}),")),
         rows(|_, x, y| format!("[{x}, {y}],")),
+        format!("outline = [\n{}]\n", rows(|_, x, y| format!("    ({x}, {y}),"))),
+        format!("x|y\n{}", rows(|_, x, y| format!("{x}|{y}"))),
+        format!("| x | y |\n|---|---|\n{}", rows(|_, x, y| format!("| {x} | {y} |"))),
         rows(|_, x, y| format!("{x},{y}\r")) + "\x1a",
     ] {
-        is_the_shape(&text);
+        let remarks = is_the_shape(&text);
+        assert!(remarks.iter().all(|remark| remark.contains("decimal sign")), "{text}: {remarks:?}");
     }
+    let printed =
+        "        [,1]   [,2]\n".to_string() + &rows(|k, x, y| format!(" [{},] {x:.3} {y:.3}", k + 1));
+    is_the_shape(&printed);
     let text = rows(|_, x, y| format!("{x},{y}"));
     for bytes in [
         text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>(),

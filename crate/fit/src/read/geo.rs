@@ -144,10 +144,14 @@ fn kind(text: &str) -> Kind {
     }
     let has = |key: &str| text.contains(&format!("\"{key}\""));
     let geo = ["coordinates", "features", "geometry", "geometries", "Topology"].iter().any(|key| has(key));
-    let drawn = ["segmentation", "shapes", "shape_attributes", "polygonlabels", "classTitle"]
-        .iter()
-        .any(|key| has(key))
-        || (has("annotations") && (has("images") || has("result") || has("item") || has("polygon")));
+    // Names of shapes may be any words; those of the types of GeoJSON are in no other file.
+    let surely =
+        ["FeatureCollection", "Feature", "Topology", "GeometryCollection"].iter().any(|key| has(key));
+    let drawn = !surely
+        && (["segmentation", "shapes", "shape_attributes", "polygonlabels", "classTitle"]
+            .iter()
+            .any(|key| has(key))
+            || (has("annotations") && ["images", "result", "item", "polygon"].iter().any(|key| has(key))));
     match list {
         _ if drawn => Kind::Pictures,
         Some(_) if geo => Kind::Objects,

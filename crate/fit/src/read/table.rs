@@ -48,8 +48,11 @@ fn rows(text: &str) -> impl Iterator<Item = (usize, Row<'_>)> {
         let line = line.trim_end_matches(['\r', '\u{1a}', '\u{c}']);
         let bare = line.trim();
         let remark = ["#", "%", "//"].iter().find_map(|sign| bare.strip_prefix(sign));
+        // The brackets around a list of a program.
+        let is_bracket = bare.starts_with(['[', ']', '(', ')', '{', '}'])
+            && bare.chars().all(|c| matches!(c, '[' | ']' | '(' | ')' | '{' | '}' | ',' | ';' | ' '));
         let row = match remark {
-            _ if bare.is_empty() => Row::Blank,
+            _ if bare.is_empty() || is_bracket => Row::Blank,
             Some(remark) => Row::Remark(remark.trim_start_matches(['#', '%', '/'])),
             None => Row::Line(line),
         };

@@ -1,5 +1,5 @@
-//! Outlines that were drawn on pictures: the files of COCO, `LabelMe`, VIA, Label Studio and others, which call the same
-//! things by few names. Other objects of JSON with lists of points are read in the same way.
+//! Outlines that were drawn on pictures: the files of COCO, `LabelMe`, VIA, Label Studio and others, which call the
+//! same things by few names. Other objects of JSON with lists of points are read in the same way.
 
 use std::fmt;
 

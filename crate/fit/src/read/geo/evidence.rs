@@ -11,26 +11,27 @@ pub enum Crs {
     Plane,
 }
 
+/// Codes have as many digits; shorter numbers are of versions.
+const SHORTEST_CODE: usize = 4;
+
 impl Crs {
     /// What a name such as `urn:ogc:def:crs:EPSG::28992` says; None where it says nothing that is known.
     pub fn of(name: &str) -> Option<Self> {
         let name = name.to_ascii_uppercase();
-        if name.contains("CRS84")
-            || name.contains("CRS:84")
-            || name.contains("WGS84")
-            || name.contains("WGS 84")
-        {
-            // Projections of this globe have their zone behind its name.
-            return Some(if name.contains('/') && name.contains("UTM") {
+        if ["CRS84", "CRS:84", "WGS84", "WGS 84"].iter().any(|globe| name.contains(globe)) {
+            // Behind the name of the globe stands that of a projection.
+            return Some(if name.contains(" / ") || name.contains("UTM") {
                 Self::Plane
             } else {
                 Self::Degrees
             });
         }
-        if !name.contains("EPSG") && !name.contains("ESRI") {
-            return None;
-        }
-        let digits = name.rsplit(|c: char| !c.is_ascii_digit()).find(|part| !part.is_empty())?;
+        let code = match name.find("EPSG").or_else(|| name.find("ESRI")) {
+            Some(at) => &name[at..],
+            None if name.bytes().all(|byte| byte.is_ascii_digit()) => &name,
+            None => return None,
+        };
+        let digits = code.split(|c: char| !c.is_ascii_digit()).find(|part| part.len() >= SHORTEST_CODE)?;
         let code: u32 = digits.parse().ok()?;
         // The codes of systems of longitude and latitude, with few exceptions.
         let degrees = (4000..5000).contains(&code) || [7844, 7843, 9000, 8246, 10_177].contains(&code);
@@ -134,6 +135,11 @@ mod tests {
             ("EPSG:3857", Some(Crs::Plane)),
             ("http://www.opengis.net/def/crs/EPSG/0/25832", Some(Crs::Plane)),
             ("WGS 84 / UTM zone 33N", Some(Crs::Plane)),
+            ("WGS 84 / Pseudo-Mercator", Some(Crs::Plane)),
+            ("urn:ogc:def:crs:EPSG:7.9:4326", Some(Crs::Degrees)),
+            ("http://spatialreference.org/ref/epsg/4326/proj4/", Some(Crs::Degrees)),
+            ("28992", Some(Crs::Plane)),
+            ("", None),
             ("local", None),
         ] {
             assert_eq!(Crs::of(name), wanted, "{name}");

@@ -14,7 +14,7 @@ use super::visit::{Found, Item, Nest, Walk};
 /// The most points of all lines that are shared.
 pub const MAX_POINTS: usize = MAX_KEPT;
 /// The most points of all objects: many may share a line.
-const MAX_USED: usize = 1 << 22;
+const MAX_USED: usize = 1 << 23;
 
 /// The lines that objects share.
 #[derive(Default)]

@@ -139,15 +139,14 @@ const PICTURE_WORDS: [&str; 7] = ["annotation", "detection", "cell", "tile", "tm
 #[derive(Deserialize)]
 #[serde(field_identifier)]
 enum Key {
-    #[serde(
-        rename = "name",
-        alias = "NAME",
-        alias = "Name",
-        alias = "label",
-        alias = "title",
-        alias = "href"
-    )]
+    #[serde(rename = "name", alias = "NAME", alias = "Name")]
     Name,
+    /// A name where there is none.
+    #[serde(rename = "label", alias = "title")]
+    Title,
+    /// Of a system of coordinates.
+    #[serde(rename = "href", alias = "code")]
+    Code,
     #[serde(rename = "classification")]
     Classification,
     #[serde(rename = "objectType", alias = "isLocked", alias = "object_type")]
@@ -209,6 +208,8 @@ impl<'de> Visitor<'de> for Properties {
         while let Some(key) = map.next_key()? {
             match key {
                 Key::Name if self.name.is_none() => self.name = map.next_value_seed(Word)?,
+                Key::Code if self.deep => self.name = map.next_value_seed(Word)?.or(self.name),
+                Key::Title if class.is_none() => class = map.next_value_seed(Word)?,
                 Key::Classification if !self.deep => {
                     let inner = Self { deep: true, ..Self::default() };
                     let inner = map.next_value_seed(inner)?;

@@ -22,7 +22,7 @@ pub enum Parted {
 
 impl Parted {
     /// All, the one that is to be taken first where several will do: no number has a tab or a semicolon in it.
-    pub const ALL: [Self; 4] = [Self::By('\t'), Self::By(';'), Self::By(','), Self::BySpaces];
+    pub const ALL: [Self; 5] = [Self::By('\t'), Self::By(';'), Self::By('|'), Self::By(','), Self::BySpaces];
 
     pub fn fields(self, line: &str) -> Fields<'_> {
         Fields { rest: Some(line), parted: self }
@@ -32,6 +32,7 @@ impl Parted {
         match self {
             Self::By('\t') => "tabs",
             Self::By(';') => "semicolons",
+            Self::By('|') => "bars",
             Self::By(_) => "commas",
             Self::BySpaces => "blanks",
         }
@@ -101,7 +102,7 @@ pub struct Columns {
 }
 
 /// Finds the two columns that the heading calls x and y, or else the first two that do not count rows, among those in
-/// which most of the lines after the heading have numbers. `remark` is the last one before them, which may be a heading.
+/// which most of the lines after the heading have numbers. `remark` is the last one before them: it may be a heading.
 pub fn columns(sample: &[&str], remark: Option<&str>) -> Option<Columns> {
     let mut found = parting(sample)?;
     found.choose(sample, remark);
@@ -240,6 +241,16 @@ impl Columns {
                 (self.first, self.second, self.chosen) = (x, Some(y), Chosen::Counted);
             }
         }
+        // A sign behind the last number, as lists of programs have it, begins no column.
+        let is_empty =
+            |field: &&str| field.trim_matches([' ', ',', ')', ']', '}', '"', '\r', '\t']).is_empty();
+        self.more = rows.iter().any(|row| {
+            let others = row
+                .iter()
+                .enumerate()
+                .filter(|&(column, _)| column != self.first && Some(column) != self.second);
+            others.map(|(_, field)| field).any(|field| !is_empty(field))
+        });
         let free = |column: &usize| *column != self.first && Some(*column) != self.second;
         self.groups = match &self.heading {
             Some(heading) => (0..width).filter(free).filter(|&column| heading.is_group(column)).collect(),

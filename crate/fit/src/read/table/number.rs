@@ -39,6 +39,10 @@ impl Style {
         {
             return Some(value);
         }
+        // R prints [,1] and [1,] above and before the numbers of a matrix.
+        if field.trim_start().starts_with("[,") {
+            return None;
+        }
         let field = bare(field);
         let (mantissa, exponent) = field.split_at(field.find(['e', 'E']).unwrap_or(field.len()));
         let (whole, rest) = mantissa.split_once(decimal).map_or((mantissa, None), |(a, b)| (a, Some(b)));
@@ -92,13 +96,15 @@ impl Plain {
     }
 }
 
-/// A field without its quotes and brackets, and without signs that are not seen.
+/// A field without its quotes and the brackets around it, and without signs that are not seen.
 fn bare(field: &str) -> &str {
-    field.trim_matches(|c: char| {
+    let around = |c: char| {
         c.is_whitespace()
-            || matches!(c, '"' | '\'' | '“' | '”' | '(' | ')' | '[' | ']' | '{' | '}')
-            || matches!(c, '\u{200b}' | '\u{2060}' | '\u{feff}' | '\u{1a}')
-    })
+            || matches!(c, '"' | '\'' | '“' | '”' | '\u{200b}' | '\u{2060}' | '\u{feff}' | '\u{1a}')
+    };
+    field
+        .trim_start_matches(|c| around(c) || matches!(c, '(' | '[' | '{'))
+        .trim_end_matches(|c| around(c) || matches!(c, ')' | ']' | '}'))
 }
 
 /// Hyphens and dashes that stand for a minus.
@@ -186,6 +192,9 @@ mod tests {
             "1,5x",
             "1,-5",
             "€1",
+            "] 430.000",
+            "[,1]",
+            "[1,]",
             "—",
             "1–2",
         ] {
