@@ -105,6 +105,10 @@ fn degrees_shrink_and_it_is_said() {
         is_near(found[0].1, wanted);
         assert!(said.contains("widths shrink to 50 %"), "{said}");
     }
+    let (found, _) = read(
+        r#"[{"lat": 59.5, "lng": 10}, {"lat": 59.5, "lng": 12}, {"lat": 60.5, "lng": 12}, {"lat": 60.5, "lng": 10}]"#,
+    );
+    is_near(found[0].1, corners([5.0, 59.5], [6.0, 60.5]));
     // The file says so, however its numbers look.
     let (found, _) = read(&collection(&crs("EPSG:4326"), "{}", &polygon(&square([0.0, 0.0], 60.0))));
     is_near(found[0].1, corners([0.0, 0.0], [60.0 * 30.0_f64.to_radians().cos(), 60.0]));

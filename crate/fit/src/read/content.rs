@@ -21,7 +21,7 @@ pub struct NamedOutline {
 pub enum FileContent {
     /// Outlines, the largest first; never none.
     Outlines {
-        /// `svg`, `csv` or `geojson`.
+        /// `svg`, `csv` (tables, and TPS) or `geojson` (JSON of all kinds).
         format: &'static str,
         /// At most 100.
         outlines: Vec<NamedOutline>,

@@ -101,9 +101,10 @@ impl Evidence {
             return Units::Pixels;
         }
         match self.crs {
-            _ if bare || !within => return Units::Lengths,
+            _ if !within => return Units::Lengths,
             Some(Crs::Plane) => return Units::Lengths,
             Some(Crs::Degrees) => return Units::Degrees,
+            None if bare => return Units::Lengths,
             None => {}
         }
         // Pictures begin at a corner, and their numbers are short. Countries that lie so lie on the equator, where

@@ -295,7 +295,11 @@ impl<'de> Visitor<'de> for Nest<'_> {
 
     /// A position by its names: `{"x": 1, "y": 2}`.
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Item, A::Error> {
-        Ok(named_position(map)?.map_or(Item::Other, Item::Position))
+        let Some((position, globe)) = named_position(map)? else { return Ok(Item::Other) };
+        if globe {
+            self.found.evidence.crs.get_or_insert(Crs::Degrees);
+        }
+        Ok(Item::Position(position))
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Item, A::Error> {
@@ -334,32 +338,38 @@ impl<'de> Visitor<'de> for Nest<'_> {
     }
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Copy, Deserialize)]
 #[serde(field_identifier)]
 enum Coordinate {
-    #[serde(rename = "x", alias = "X", alias = "lon", alias = "lng", alias = "longitude")]
+    #[serde(rename = "x", alias = "X")]
     X,
-    #[serde(rename = "y", alias = "Y", alias = "lat", alias = "latitude")]
+    #[serde(rename = "y", alias = "Y")]
     Y,
+    #[serde(rename = "lon", alias = "lng", alias = "longitude")]
+    Longitude,
+    #[serde(rename = "lat", alias = "latitude")]
+    Latitude,
     #[serde(other)]
     Other,
 }
 
-fn named_position<'de, A: MapAccess<'de>>(mut map: A) -> Result<Option<DVec2>, A::Error> {
-    let (mut x, mut y) = (None, None);
+/// A position by the names of its coordinates, and whether they are those of the globe.
+fn named_position<'de, A: MapAccess<'de>>(mut map: A) -> Result<Option<(DVec2, bool)>, A::Error> {
+    let (mut x, mut y, mut globe) = (None, None, false);
     while let Some(key) = map.next_key()? {
         let place = match key {
-            Coordinate::X => &mut x,
-            Coordinate::Y => &mut y,
+            Coordinate::X | Coordinate::Longitude => &mut x,
+            Coordinate::Y | Coordinate::Latitude => &mut y,
             Coordinate::Other => {
                 map.next_value::<IgnoredAny>()?;
                 continue;
             }
         };
+        globe |= matches!(key, Coordinate::Longitude | Coordinate::Latitude);
         let item = map.next_value_seed(Nest { globe: false, found: &mut Found::default() })?;
         if let Item::Number(value) = item {
             *place = Some(value).filter(|value| value.abs() <= 1e100);
         }
     }
-    Ok(x.zip(y).map(DVec2::from))
+    Ok(x.zip(y).map(|position| (DVec2::from(position), globe)))
 }
