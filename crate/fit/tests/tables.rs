@@ -96,6 +96,13 @@ fn what_counts_rows_is_no_coordinate() {
 }
 
 #[test]
+fn rows_that_may_be_maps_are_named() {
+    let text = "1 0 0 0 .16 0 0 .01\n2 .85 .04 -.04 .85 0 1.6 .85\n3 .2 -.26 .23 .22 0 1.6 .07\n4 -.15 .28 .26 .24 0 .44 .07\n";
+    let (_, remarks) = read(text.as_bytes());
+    assert!(remarks.iter().any(|remark| remark.contains("open it in Morph")), "{remarks:?}");
+}
+
+#[test]
 fn imagej_counts_y_from_the_top() {
     for parted in [",", "\t"] {
         let text =

@@ -274,11 +274,14 @@ impl Columns {
             return self.more.then(|| Remark::new("ignored", message));
         };
         let (x, y) = (name(self.first), name(second));
+        // As many numbers as a map has, with its weight and its number or without.
+        let may_be_maps = self.chosen != Chosen::Named && matches!(self.numeric.len(), 6..=8 | 12..=14);
+        let hint = if may_be_maps { " If its rows are maps, open it in Morph." } else { "" };
         match self.chosen {
             Chosen::Counted if self.heading.is_none() => Some(Remark::new(
                 "assumed",
                 format!(
-                    "Column {} is taken to count rows or outlines: columns {x} and {y} are read as x and y.",
+                    "Column {} is taken to count rows or outlines: columns {x} and {y} are read as x and y.{hint}",
                     self.numeric[0] + 1
                 ),
             )),
@@ -286,13 +289,10 @@ impl Columns {
                 "assumed",
                 format!("As the heading says, column {x} is read as x and column {y} as y."),
             )),
-            _ if self.more => {
-                let mut message = format!("Only columns {x} and {y} of the table were read.");
-                if self.chosen != Chosen::Named && matches!(self.numeric.len(), 6 | 7 | 12 | 13) {
-                    message += " If its rows are maps, open it in Morph.";
-                }
-                Some(Remark::new("ignored", message))
-            }
+            _ if self.more => Some(Remark::new(
+                "ignored",
+                format!("Only columns {x} and {y} of the table were read.{hint}"),
+            )),
             _ => None,
         }
     }
