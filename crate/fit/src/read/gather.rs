@@ -45,14 +45,12 @@ impl Line {
     }
 
     /// Forgets all points, and keeps their room.
-    #[cfg(any(feature = "svg", test))]
     pub fn clear(&mut self) {
         self.kept.clear();
         (self.count, self.thin) = (0, 0);
     }
 
     /// Whether it ends where it begins.
-    #[cfg(feature = "svg")]
     pub fn returns(&self) -> bool {
         self.kept.first() == Some(&self.last)
     }
