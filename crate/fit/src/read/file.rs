@@ -110,7 +110,7 @@ fn table_content(text: &str, read_as: ReadAs) -> Result<FileContent, ReadError> 
             format!("At {} places there was more than one value: the first is kept.", before - points.len());
         remarks.push(Remark::new("gaps", message));
     }
-    if points.len() + 1 < FEWEST_POINTS {
+    if points.len() < FEWEST_POINTS {
         return Err(ReadError::TooFew { count: points.len(), series: true });
     }
     if points.len() > MAX_OUTLINE {

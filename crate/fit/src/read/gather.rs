@@ -15,8 +15,8 @@ const MAX_LISTED: usize = 100;
 const MAX_POINTS: usize = 20 * MAX_OUTLINE;
 /// The most crossings that are counted.
 const MAX_CROSSINGS: usize = 100;
-/// An outline that can be fitted has as many points at least, a series one fewer.
-pub const FEWEST_POINTS: usize = 4;
+/// Outlines and series have as many points at least.
+pub const FEWEST_POINTS: usize = 3;
 
 /// The points of a line, as they come.
 #[derive(Default)]
@@ -119,7 +119,7 @@ impl<L> Gathered<L> {
             points = &fewer;
         }
         let error = match Outline::new(points) {
-            Ok(outline) if outline.points().len() >= FEWEST_POINTS => {
+            Ok(outline) => {
                 self.good += 1;
                 self.opened += usize::from(!about.closed);
                 // What crosses itself may have no area: its box has.
@@ -129,7 +129,6 @@ impl<L> Gathered<L> {
                 self.kept.push(Kept { ground: about.ground, size, label: about.label, outline });
                 return self.prune();
             }
-            Ok(outline) => ReadError::TooFew { count: outline.points().len(), series: false },
             Err(_) if all < FEWEST_POINTS => ReadError::TooFew { count: all, series: false },
             Err(_) => ReadError::Flat,
         };

@@ -135,7 +135,7 @@ fn nothing(format: &str) -> String {
 }
 
 fn needs(series: bool) -> &'static str {
-    if series { "a series needs three or more" } else { "an outline that can be fitted needs four or more" }
+    if series { "a series needs three or more" } else { "an outline needs three or more" }
 }
 
 impl ReadError {
