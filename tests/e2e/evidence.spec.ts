@@ -35,6 +35,38 @@ test("the verdict tells why, and gives the focus back", async ({ studio, page })
   await expect(studio.verdict).toHaveAttribute("aria-expanded", "false");
 });
 
+test("a page that the browser translates keeps its words true", async ({ studio, page }) => {
+  await studio.open(BROKEN);
+  await studio.idle();
+  /** As Chrome does it: an element in the place of each text. */
+  const translate = () =>
+    page.evaluate(() => {
+      const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+      const texts: Text[] = [];
+      while (walker.nextNode()) texts.push(walker.currentNode as Text);
+      for (const text of texts) {
+        if (!text.data.trim() || text.parentElement?.nodeName === "FONT") continue;
+        const font = document.createElement("font");
+        font.append(text.data.toUpperCase());
+        text.replaceWith(font);
+      }
+    });
+  await translate();
+  await expect(studio.verdict).toHaveText(/^IN PIECES/);
+  await studio.time.press("Home");
+  await expect(studio.verdict).toHaveText(/^In one piece, proved/);
+  await translate();
+  await expect(studio.verdict).toHaveText(/^IN ONE PIECE, PROVED/);
+  await studio.time.press("End");
+  await studio.time.press("Home");
+  await page.evaluate(() => {
+    location.hash = "a=koch&b=levy&path=straight&t=0.5";
+  });
+  await expect(page.getByRole("button", { name: /Koch curve/ }).first()).toContainText("Koch curve");
+  await expect(page.getByText("Dragon of three", { exact: true })).toHaveCount(0);
+  await expect(page.getByText("DRAGON OF THREE", { exact: true })).toHaveCount(0);
+});
+
 test("one piece comes with a reason, and marks on the picture that can be kept", async ({ studio, page }) => {
   await studio.open("a=gasket&b=gasket");
   await studio.idle();

@@ -9,6 +9,7 @@ import { link } from "./shell/actions";
 import { App, fetchAhead } from "./shell/app";
 import { installHook } from "./shell/hook";
 import { readParameters } from "./shell/parameters";
+import { keepTranslationsTrue } from "./shell/translated";
 import { reportTrouble, showFailure } from "./shell/trouble";
 import { whenFirstPicture } from "./stage/first-picture";
 import { adoptPath, watchAutomaticPath } from "./tools/morph/locus/path/automatic";
@@ -18,6 +19,7 @@ import { compileProof } from "./wasm/proof";
 import { fetchPool, startEngine } from "./workers/pool/engine";
 
 reportTrouble();
+keepTranslationsTrue(document.body);
 
 async function begin(root: HTMLElement): Promise<void> {
   const parameters = readParameters(location.search);
