@@ -85,6 +85,28 @@ test("a plain page shows morphs in a few lines, and leaves nothing behind", asyn
   expect(asked).toMatchObject({ verdict: "disconnected", maps: 3, type: "image/png" });
   await expectClean(page);
 
+  // One that is moved, or of which an end changes, goes on where it was.
+  const kept = await page.evaluate(() => {
+    const morph = (window as unknown as Host).view("morph");
+    morph.t = 0.25;
+    const moments = [morph.t];
+    document.querySelector("main")?.prepend(morph);
+    moments.push(morph.t);
+    morph.setAttribute("b", "koch");
+    return [...moments, morph.t];
+  });
+  expect(kept).toEqual([0.25, 0.25, 0.25]);
+  await expect(
+    page.getByRole("img", { name: "Dragon of three on its way to Koch curve, 25%" }),
+  ).toBeVisible();
+  await page.getByRole("button", { name: "Play" }).click();
+  await page.evaluate(() =>
+    document.querySelector("main")?.append((window as unknown as Host).view("morph")),
+  );
+  await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
+  await page.getByRole("button", { name: "Pause" }).click();
+  await page.evaluate(() => (window as unknown as Host).view("morph").setAttribute("b", "gasket"));
+
   // Off the screen nothing is loaded before one comes near.
   expect(await heard("far")).toEqual([]);
   const moment = () => page.evaluate(() => (window as unknown as Host).view("far").t);

@@ -62,6 +62,8 @@ export class FrondView extends HTMLElement {
   #resting: ReturnType<typeof setTimeout> | undefined;
   /** The moment that was asked for before anything was there to show it. */
   #sought: number | null = null;
+  /** It played when it was moved, or when what it shows changed. */
+  #goesOn = false;
 
   constructor() {
     super();
@@ -108,7 +110,8 @@ export class FrondView extends HTMLElement {
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     if (before === after || !this.isConnected) return;
     if (!LIGHT.includes(name)) {
-      this.#close();
+      // Another link says its own moment.
+      this.#close(name !== "src");
       this.#later();
       return;
     }
@@ -265,7 +268,8 @@ export class FrondView extends HTMLElement {
         return;
       }
       this.#shown = picture;
-      if (this.#sought !== null) this.seek(this.#sought);
+      // It was sought while it was opened.
+      if (this.#sought !== null && this.#sought !== t) this.seek(this.#sought);
       this.#sought = null;
       this.#fit();
       this.#changed();
@@ -302,9 +306,14 @@ export class FrondView extends HTMLElement {
     throw new WishError("studio is the address of the folder that Frond's embed.html is in.");
   }
 
-  #close(): void {
+  /** Closes what is shown, and keeps its moment for what is shown next: an element that is moved goes on. */
+  #close(keeping = true): void {
     this.#opening++;
     clearTimeout(this.#resting);
+    if (this.#shown && keeping) {
+      this.#sought = this.#shown.t;
+      this.#goesOn = this.#shown.playing;
+    }
     this.#shown?.close();
     this.#shown = null;
     this.#shadow.clear();
@@ -315,7 +324,9 @@ export class FrondView extends HTMLElement {
     this.#send("ready", { t: this.t });
     const calm =
       this.ownerDocument.defaultView?.matchMedia("(prefers-reduced-motion: reduce)").matches ?? false;
-    if (this.hasAttribute("autoplay") && !calm && this.#shown instanceof Picture) this.play();
+    if (this.#goesOn || (this.hasAttribute("autoplay") && !calm && this.#shown instanceof Picture))
+      this.play();
+    this.#goesOn = false;
     this.#changed();
   }
 
