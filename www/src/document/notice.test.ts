@@ -29,7 +29,16 @@ it("says what to do where a script of the page is not there any more", () => {
     "Failed to fetch dynamically imported module: https://example.org/assets/tool-abc.js",
     "error loading dynamically imported module: https://example.org/assets/tool-abc.js",
     "Importing a module script failed.",
+    "Unable to preload CSS for http://example.org/assets/tool-abc.css",
+    "The program could not be loaded (404 for http://example.org/assets/frond-fit_bg-abc.wasm).",
+    "Failed to fetch",
+    "Load failed",
+    "NetworkError when attempting to fetch resource.",
+    // A host that sends its page in place of what is missing.
+    "WebAssembly.compile(): expected magic word 00 61 73 6d, found 3c 21 64 6f @+0",
+    "wasm validation error: at offset 4: failed to match magic number",
+    "WebAssembly.Module doesn't parse at byte 0: module doesn't start with '\\0asm'",
   ])
-    expect(wordsOf(new TypeError(said))).toContain("load the page again");
+    expect(wordsOf(new TypeError(said)), said).toContain("load the page again");
   expect(wordsOf(new Error("The file is empty."))).toBe("The file is empty.");
 });

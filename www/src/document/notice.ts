@@ -49,13 +49,20 @@ export function announce(text: string): void {
   spoken.value = text;
 }
 
-/** What browsers say of a script that is not there: a newer version of the site may have other files. */
-const UNFETCHED = /dynamically imported module|importing a module script failed/i;
+/**
+ * What browsers, Vite and the loader of modules say of a part of the page that is not there, or where a host sends a
+ * page in its place: a newer version of the site may have other files.
+ */
+const UNFETCHED =
+  /dynamically imported module|importing a module script failed|unable to preload css|program could not be loaded|failed to fetch|load failed|networkerror when attempting|expected magic word|match magic number|module doesn't start with/i;
 const AGAIN =
-  "It could not be fetched. The network may be away, or a newer Frond is there: load the page again, what you made stays in the address.";
+  "A part of Frond could not be fetched. The network may be away, or a newer Frond is there: load the page again, what you made stays in the address.";
 
 /** For what only another start of the page may mend. */
 export const loadAgain = { label: "Load it again", run: () => location.reload() };
+
+/** Whether a part of the page is missing: another start of it helps. */
+export const isUnfetched = (problem: unknown): boolean => wordsOf(problem) === AGAIN;
 
 /** The words of anything that was thrown: a `FrondError`, an `Error`, or a bare value. */
 export function wordsOf(problem: unknown): string {

@@ -1,4 +1,4 @@
-import { notify, wordsOf } from "#document/notice";
+import { isUnfetched, loadAgain, notify, wordsOf } from "#document/notice";
 
 /** Whatever nobody caught is said, never swallowed. */
 export function reportTrouble(): void {
@@ -11,11 +11,9 @@ export function reportTrouble(): void {
 }
 
 function say(problem: unknown): void {
-  notify({
-    kind: "error",
-    text: `Something went wrong: ${wordsOf(problem)}`,
-    action: { label: "Reload", run: () => location.reload() },
-  });
+  const words = wordsOf(problem);
+  const text = isUnfetched(problem) ? words : `Something went wrong: ${words}`;
+  notify({ kind: "error", text, action: loadAgain });
 }
 
 /** Frond could not start at all: says why, and what to do, in place of the page. */
