@@ -1,6 +1,8 @@
 import { readFile } from "node:fs/promises";
 import { expect, test } from "./fixture";
 
+test.use({ alone: true });
+
 /**
  * Drawings made at random, read by Frond and drawn by the browser: both cover the same part of the page.
  * `FROND_DRAWINGS=2000` tries as many, `FROND_SEED` others.
@@ -208,17 +210,13 @@ async function common({
     if (!made) throw new Error("no canvas");
     return made;
   };
-  const covered = ({ canvas, ...drawn }: { canvas: OffscreenCanvas; data: Uint8ClampedArray }) => drawn.data;
   const image = new Image();
   image.src = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
   await image.decode();
   const browser = context();
   browser.drawImage(image, 0, 0, 400, 400);
   URL.revokeObjectURL(image.src);
-  const pixels = (of: OffscreenCanvasRenderingContext2D) => {
-    const { data } = of.getImageData(0, 0, 400, 400);
-    return covered({ canvas: of.canvas, data });
-  };
+  const pixels = (of: OffscreenCanvasRenderingContext2D) => of.getImageData(0, 0, 400, 400).data;
   const theirs = pixels(browser);
   let best: [number, number] = [0, 0];
   // An outline has no holes: those of a shape are outlines of their own, and where one crosses itself both are tried.
