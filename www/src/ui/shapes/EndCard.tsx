@@ -33,7 +33,9 @@ export function EndCard(props: EndCardProps) {
         <span class={css["card-end"]} aria-hidden="true">
           {letter}
         </span>
-        <span class={css["card-name"]}>{name}</span>
+        <span class={css["card-name"]} translate={false}>
+          {name}
+        </span>
       </button>
       <div class={css["card-tools"]}>
         <span class={css["card-count"]} aria-hidden="true">

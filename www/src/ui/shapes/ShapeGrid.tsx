@@ -70,7 +70,7 @@ export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
           >
             <Thumbnail bitmap={pictures.get(preset.id)} />
             <span class={css["gallery-name"]}>
-              {preset.name}
+              <span translate={false}>{preset.name}</span>
               <small>{noteOf(preset)}</small>
             </span>
             <span class={css["gallery-about"]}>{preset.about}</span>

@@ -14,7 +14,12 @@ export function Formula(props: FormulaProps | { children: ComponentChildren }) {
   if ("children" in props) return <Named of={props.children} />;
   const { tex: formula, copy = false } = props;
   const shown = (
-    <span class={css["formula"]} data-tex={formula.tex} dangerouslySetInnerHTML={{ __html: formula.html }} />
+    <span
+      class={css["formula"]}
+      translate={false}
+      data-tex={formula.tex}
+      dangerouslySetInnerHTML={{ __html: formula.html }}
+    />
   );
   if (!copy) return shown;
   return (
