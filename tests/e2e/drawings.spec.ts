@@ -226,7 +226,8 @@ async function common({
     for (const parts of outlines) {
       const path = new Path2D();
       for (const part of parts) {
-        for (let i = 0; i < part.length; i += 2) path.lineTo(part[i] ?? 0, -(part[i + 1] ?? 0));
+        path.moveTo(part[0] ?? 0, -(part[1] ?? 0));
+        for (let i = 2; i < part.length; i += 2) path.lineTo(part[i] ?? 0, -(part[i + 1] ?? 0));
         path.closePath();
       }
       own.fill(path, rule);

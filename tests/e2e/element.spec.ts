@@ -101,7 +101,9 @@ test("a plain page shows morphs in a few lines, and leaves nothing behind", asyn
   ).toBeVisible();
   await page.getByRole("button", { name: "Play" }).click();
   await page.evaluate(() =>
-    document.querySelector("main")?.append((window as unknown as Host).view("morph")),
+    document
+      .querySelector("main")
+      ?.insertBefore((window as unknown as Host).view("morph"), document.querySelector("h1")),
   );
   await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
   await page.getByRole("button", { name: "Pause" }).click();
