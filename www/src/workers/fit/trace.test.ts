@@ -113,6 +113,16 @@ describe("opening a file", () => {
     expect(opened).toMatchObject({ kind: "outlines", name: "leaf.png" });
   });
 
+  test("what is known and not read is named, with what to do, before all of it is read", async () => {
+    const heic = new Blob([new Uint8Array([0, 0, 0, 24, ...ascii("ftypheic")])]);
+    vi.spyOn(heic, "arrayBuffer").mockRejectedValue(new Error("read"));
+    await expect(open(heic, "leaf.jpg")).rejects.toEqual({
+      code: "unknown-file",
+      message:
+        "“leaf.jpg” is a HEIC picture. Save it as JPEG and open that: on a phone, share it as “Most compatible”.",
+    });
+  });
+
   test("large pictures are made smaller, which is said", async () => {
     decoder(6000, 4000);
     const opened = await open(png(6000, 4000));

@@ -5,6 +5,7 @@ import { loadDrawings } from "#wasm/svg";
 import { type Decoded, decode } from "../image/decode";
 import { HEAD_BYTES, type Header, readHeader } from "../image/header";
 import { inWords, MOST_MEGAPIXELS, shortName } from "../image/limits";
+import { otherWords } from "../image/signature";
 import { isWhole } from "../image/whole";
 import type { Context } from "./context";
 import type {
@@ -78,6 +79,11 @@ function damaged(name: string): TraceProblem {
   return { code: "damaged", message };
 }
 
+/** A file of a kind that is known and not read. */
+export function unread(name: string, other: string): TraceProblem {
+  return { code: "unknown-file", message: `“${name}” is ${otherWords(other)}` };
+}
+
 async function picture(file: Blob, name: string, header: Header): Promise<Decoded> {
   const refused = refusal(name, header, file.size);
   if (refused) throw refused;
@@ -137,6 +143,7 @@ export const traceTasks = {
     const name = shortName(given, "File");
     const head = new Uint8Array(await file.slice(0, HEAD_BYTES).arrayBuffer());
     const header = readHeader(head);
+    if (header.other !== undefined) throw unread(name, header.other);
     if (header.kind === "svg" || header.kind === "unknown") {
       if (file.size > MOST_TEXT) {
         throw tooLarge(name, `${Math.round(file.size / 2 ** 20)} megabytes of text`, "64");

@@ -84,7 +84,7 @@ describe("what is no picture that can be bent", () => {
       [...ascii("RIFF"), 0, 0, 0, 0, ...ascii("WEBPVP8X"), ...new Array<number>(14).fill(1)],
       [...ascii("RIFF"), 0, 0, 0, 0, ...ascii("WEBPVP8L"), ...new Array<number>(14).fill(1)],
       [...ascii("GIF89a"), 1, 0, 1, 0],
-      [...ascii("BM"), ...new Array<number>(40).fill(1)],
+      [...ascii("BM"), 1, 1, 1, 1, 0, 0, 0, 0, ...new Array<number>(32).fill(1)],
     ];
     for (const bytes of whole) {
       expect(read(bytes).size).toBeDefined();

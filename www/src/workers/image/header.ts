@@ -1,6 +1,10 @@
 /** What the first bytes of a file say of the picture in it, before anything is decoded. */
+import { type PictureKind, signatureOf } from "./signature";
+
 export interface Header {
-  kind: "png" | "jpeg" | "webp" | "gif" | "avif" | "bmp" | "svg" | "unknown";
+  kind: PictureKind | "svg" | "unknown";
+  /** What it is, where it is known and no picture that is read. */
+  other?: string;
   /** Where the size can be read off: not of every AVIF. */
   size?: { width: number; height: number };
 }
@@ -12,16 +16,23 @@ export const HEAD_BYTES = 1 << 20;
 export function readHeader(bytes: Uint8Array): Header {
   const data = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const text = (from: number, count: number) => latin(bytes.subarray(from, from + count));
-  if (text(0, 8) === "\x89PNG\r\n\x1a\n") return sized("png", png(data));
-  if (text(0, 3) === "\xff\xd8\xff") return sized("jpeg", jpeg(data));
-  if (text(0, 4) === "RIFF" && text(8, 4) === "WEBP") return sized("webp", webp(data, text(12, 4)));
-  if (text(0, 4) === "GIF8") return sized("gif", pair(data, 6, 8, 2));
-  if (text(4, 4) === "ftyp" && /avi[fs]/.test(text(8, 24))) return sized("avif", avif(data, bytes));
-  if (text(0, 2) === "BM" && data.byteLength > 25) {
-    return sized("bmp", { width: data.getInt32(18, true), height: Math.abs(data.getInt32(22, true)) });
+  const signature = signatureOf(bytes);
+  if (signature && "other" in signature) return { kind: "unknown", other: signature.other };
+  switch (signature?.picture) {
+    case "png":
+      return sized("png", png(data));
+    case "jpeg":
+      return sized("jpeg", jpeg(data));
+    case "webp":
+      return sized("webp", webp(data, text(12, 4)));
+    case "gif":
+      return sized("gif", pair(data, 6, 8, 2));
+    case "avif":
+      return sized("avif", avif(data, bytes));
+    case "bmp":
+      return sized("bmp", bmp(data));
   }
-  if (isSvg(text(0, 4096))) return { kind: "svg" };
-  return { kind: "unknown" };
+  return { kind: isSvg(text(0, 4096)) ? "svg" : "unknown" };
 }
 
 type Size = Header["size"] | null;
@@ -39,6 +50,11 @@ function pair(data: DataView, x: number, y: number, bytes: 2 | 3): Size {
   if (data.byteLength < Math.max(x, y) + bytes) return null;
   const at = (i: number) => data.getUint16(i, true) + (bytes === 3 ? data.getUint8(i + 2) * 0x10000 : 0);
   return { width: at(x), height: at(y) };
+}
+
+function bmp(data: DataView): Size {
+  if (data.byteLength < 26) return null;
+  return { width: data.getInt32(18, true), height: Math.abs(data.getInt32(22, true)) };
 }
 
 function png(data: DataView): Size {

@@ -23,6 +23,10 @@ test("what is no picture is told from one that ends too soon", () => {
   const text = (words: string) => new TextEncoder().encode(words);
   expect(refusal("a.svg", text("<svg/>"))).toMatch(/save it as PNG/);
   expect(refusal("notes.png", text("milk, bread"))).toMatch(/PNG, JPEG, WebP/);
+  // A photograph of a phone, whatever it is called.
+  expect(refusal("leaf.jpg", text("\0\0\0\x18ftypheic"))).toMatch(
+    /^“leaf.jpg” is a HEIC picture. Save it as JPEG/,
+  );
   expect(refusal("a.png", png(3, 3).slice(0, 20))).toMatch(/ends too soon/);
   expect(refusal("nothing.png", new Uint8Array())).not.toBeNull();
 });

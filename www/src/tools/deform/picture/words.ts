@@ -1,5 +1,6 @@
 import type { Header } from "#workers/image/header";
 import { inWords, MOST_MEGAPIXELS, shortName as shortOf } from "#workers/image/limits";
+import { otherWords } from "#workers/image/signature";
 
 /** The longest side that is kept, in pixels. */
 export const LONGEST = 2048;
@@ -7,10 +8,11 @@ export const LONGEST = 2048;
 const STAYS = "The picture on the stage stays as it is.";
 
 /** Why a file is not taken, or null if it may be decoded. */
-export function refusal(name: string, { kind, size }: Header): string | null {
+export function refusal(name: string, { kind, other, size }: Header): string | null {
   if (kind === "svg") {
     return `“${name}” is a drawing (SVG), not a picture made of pixels: save it as PNG first. ${STAYS}`;
   }
+  if (other !== undefined) return `“${name}” is ${otherWords(other)} ${STAYS}`;
   if (kind === "unknown") {
     return `“${name}” is no picture that can be read here: PNG, JPEG, WebP, AVIF and GIF can be. ${STAYS}`;
   }
