@@ -1,4 +1,8 @@
 /** What a file is, by what is in it: its name may say anything. */
+import { otherWords, signatureOf } from "#workers/image/signature";
+import { decoded, pastBlanks } from "./tell-head";
+import { kindOfJson } from "./tell-json";
+import { kindOfTable } from "./tell-table";
 
 /**
  * `picture`: made of pixels. `outline`: a drawing, places, or a table of one or two columns. `maps`: systems, or a
@@ -6,36 +10,42 @@
  */
 export type FileKind = "picture" | "outline" | "maps" | "animation" | "empty" | "other";
 
-/** As much of a file as is looked at. */
+/** As much of a file is looked at, from where it begins in earnest. */
 export const HEAD_BYTES = 64 << 10;
-
-const PICTURES = ["\x89PNG\r\n", "\xff\xd8\xff", "GIF8", "RIFF....WEBP", "....ftypavi", "BM....\0\0\0\0"];
+/** The name of a root stands at its beginning: drawings within other documents are not looked for farther on. */
+const ROOT_LETTERS = 4096;
 
 /** What steers old machines is in no text, but for tabs and ends of lines, pages and files. */
 // biome-ignore lint/suspicious/noControlCharactersInRegex: these are what is looked for
 const NO_TEXT = /[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]/;
 
-function isPicture(bytes: string): boolean {
-  return PICTURES.some((magic) => [...magic].every((sign, i) => sign === "." || bytes[i] === sign));
+/** Tells by the first bytes, as `headOf` has them. */
+export function tellFile(head: Uint8Array): FileKind {
+  const signature = signatureOf(head);
+  if (signature) return "picture" in signature ? "picture" : "other";
+  const whole = decoded(head);
+  const text = pastBlanks(whole).slice(0, HEAD_BYTES);
+  // A remark of XML that does not end, or zeros.
+  if (text === "") return whole.trim() !== "" || head.includes(0) ? "other" : "empty";
+  if (NO_TEXT.test(text)) return "other";
+  // Whoever reads outlines says best what is missing.
+  return kindOfText(text) ?? "outline";
 }
 
-/** Tells by the first bytes. */
-export function tellFile(head: Uint8Array): FileKind {
-  const bytes = String.fromCharCode(...head.subarray(0, 16));
-  if (isPicture(bytes)) return "picture";
-  const wide = bytes.startsWith("\xff\xfe")
-    ? "utf-16le"
-    : bytes.startsWith("\xfe\xff")
-      ? "utf-16be"
-      : "utf-8";
-  const text = new TextDecoder(wide).decode(head.subarray(0, HEAD_BYTES)).trim();
-  if (text === "") return "empty";
-  if (NO_TEXT.test(text)) return "other";
-  if (text.startsWith("<")) return ofXml(text);
-  if (/^\[|^\{\s*["}]/.test(text)) return ofJson(text);
-  // Blocks of IFStile begin with @, entries of Fractint stand in braces.
-  if (/^\s*(@|\$dim)/m.test(text) || /^[^;\n]*[{}]/m.test(text)) return "maps";
-  return ofTable(text);
+/** Whether a text that is pasted is meant to be opened, and as what; null of a text like any other. */
+export function tellPasted(text: string): "outline" | "maps" | "animation" | null {
+  const head = pastBlanks(text).slice(0, HEAD_BYTES);
+  if (NO_TEXT.test(head)) return null;
+  const kind = kindOfText(head, true);
+  return kind === "other" ? null : kind;
+}
+
+/** What to do with a file that is not read. */
+export function wordsForOther(head: Uint8Array): string {
+  const signature = signatureOf(head);
+  return signature && "other" in signature
+    ? `This is ${otherWords(signature.other)}`
+    : "This is no file that Frond reads. It reads maps (.ifs, .flame, .aifs, JSON, tables), its own PNG, outlines (SVG, CSV, GeoJSON) and photographs.";
 }
 
 /** Whether a picture says in its beginning that Frond saved it. */
@@ -43,31 +53,37 @@ export function mayHoldLink(head: Uint8Array): boolean {
   return new TextDecoder("latin1").decode(head.subarray(0, HEAD_BYTES)).includes("iTXtFrond link");
 }
 
-function ofXml(text: string): FileKind {
-  if (/<(\w+:)?svg/.test(text)) return "outline";
-  return /<(flames?|jwf-flame)\b/i.test(text) ? "maps" : "other";
-}
-
-function ofJson(text: string): FileKind {
-  if (/"frond"\s*:\s*"space"/.test(text) || /"(packed|frames)"\s*:/.test(text.slice(0, 4096)))
-    return "animation";
-  if (/"(maps|systems|path)"\s*:/.test(text)) return "maps";
-  // Rows of six numbers or more are maps, and pairs are points.
-  const row = /\[\s*(-?[\d.][^[\]{}"]*)\]/.exec(text)?.[1];
-  return text.startsWith("[") && row !== undefined && row.split(",").length >= 6 ? "maps" : "outline";
-}
-
-/** Numbers a line: one or two are points, six or more maps. */
-function ofTable(text: string): FileKind {
-  for (const line of text.split(/\r?\n|\r/)) {
-    if (/^\s*[#;%/]/.test(line)) continue;
-    // A comma within a number is counted as none where semicolons or tabs part.
-    const words = line.split(/[;\t]/.test(line) ? /[;\t]\s*/ : /[\s,]+/).filter((word) => word.trim() !== "");
-    if (words.length > 0 && words.every((word) => /^\s*[-+]?[\d.][\d.,eE+-]*\s*$/.test(word)))
-      return words.length >= 6 ? "maps" : "outline";
-  }
+/** Null where nothing is found that says what it is. `strict`: braces around words, and a number or two, say nothing. */
+function kindOfText(text: string, strict = false): "outline" | "maps" | "animation" | "other" | null {
+  if (text.startsWith("<")) return ofXml(text);
+  if (isJson(text)) return kindOfJson(text);
+  // Remarks before JSON are no part of it, and whoever reads outlines passes them over.
+  const bare = withoutRemarks(text);
+  if (bare !== text && isJson(bare) && kindOfJson(bare) === "outline") return "outline";
+  // Lists of Mathematica.
+  if (text.startsWith("{{")) return "maps";
+  // Blocks of IFStile begin with @, entries of Fractint stand in braces.
+  if ((strict ? BLOCK : /^\s*(@|\$dim)/m).test(text)) return "maps";
+  if ((strict ? ENTRY : /^[^;\n]*[{}]/m).test(text)) return "maps";
+  const { kind, enough } = kindOfTable(text);
+  if (kind !== null && (enough || !strict)) return kind;
   // The signs of remarks in files of maps: what follows is farther on than is looked at.
-  if (text.startsWith(";")) return "maps";
-  // Whoever reads outlines says best what is missing.
-  return "outline";
+  return text.startsWith(";") && !strict ? "maps" : null;
+}
+
+/** A block of IFStile; an entry of Fractint with its numbers, or a table of LaTeX. */
+const BLOCK = /^\s*(@\w*\s*$|\$dim)/m;
+const ENTRY = /\{\s*(?:;[^\n]*\s*)*[-+.\d][-+.\deE,\s]*\s|\\begin\{/;
+
+const isJson = (text: string) => /^\[|^\{\s*["}]/.test(text);
+
+/** What follows `# ..`, `// ..` and `/* .. *\/`. */
+function withoutRemarks(text: string): string {
+  return text.replace(/^(?:\s+|#[^\r\n]*|\/\/[^\r\n]*|\/\*[\s\S]*?\*\/)+/, "");
+}
+
+function ofXml(text: string): "outline" | "maps" | "other" {
+  const root = text.slice(0, ROOT_LETTERS);
+  if (/<(\w+:)?svg/.test(root)) return "outline";
+  return /<(flames?|jwf-flame)\b/i.test(text) ? "maps" : "other";
 }
