@@ -14,7 +14,9 @@ import { frond } from "#wasm/core";
 import { loadExchange } from "#wasm/exchange";
 import { whenOpen } from "../tools";
 import { intoMorph, type Where } from "./morph";
-import { HEAD_BYTES, mayHoldLink, tellFile } from "./tell";
+import { pasted } from "./pasted";
+import { mayHoldLink, tellFile, wordsForOther } from "./tell";
+import { headOf } from "./tell-head";
 import { weightsOf, weightsWords } from "./weights";
 
 /** A file of several systems, of which one is to be chosen. */
@@ -28,8 +30,6 @@ export const choice = signal<Choice | null>(null);
 
 /** Nothing larger is read at all: of texts less is. */
 const MOST_BYTES = 256 << 20;
-/** The longest text that is taken from the clipboard. */
-const MOST_PASTED = 1 << 20;
 
 /** Opens what comes in, until the returned function is called. */
 export function listen(): () => void {
@@ -39,19 +39,33 @@ export function listen(): () => void {
   };
 }
 
-/** Maps that are pasted as text are a file, too. */
+/** A text that is pasted is a link, or what would be a file. In a text field it is the field's. */
 function listenForText(): () => void {
   const onPaste = (event: ClipboardEvent) => {
-    if (event.defaultPrevented || event.clipboardData?.files.length || focusOf(event.target) === "typing")
-      return;
-    const text = event.clipboardData?.getData("text/plain") ?? "";
-    const kind = text.length <= MOST_PASTED ? tellFile(new TextEncoder().encode(text)) : "other";
-    if (kind !== "maps") return;
+    if (event.defaultPrevented || event.clipboardData?.files.length || takesText(event.target)) return;
+    const got = pasted(event.clipboardData?.getData("text/plain") ?? "");
+    if ("nothing" in got) return;
     event.preventDefault();
-    openFile([new File([text], "Pasted maps", { type: "text/plain" })]);
+    if ("file" in got) openFile([got.file]);
+    else if ("link" in got) openLink(got.link);
+    else notify({ kind: "error", text: got.problem });
   };
   document.addEventListener("paste", onPaste);
   return () => document.removeEventListener("paste", onPaste);
+}
+
+const takesText = (target: EventTarget | null) => ["typing", "field"].includes(focusOf(target));
+
+/** A link is opened as a step to undo; one that is cut off or cannot be read changes nothing. */
+function openLink(sent: string): void {
+  const { text, cutAfter } = arrived(sent);
+  try {
+    if (cutAfter !== null) throw new Error(`it was cut off after “${cutAfter}”. Copy all of it.`);
+    openDecoded(text, "Opened the pasted link.");
+  } catch (problem) {
+    const why = `The pasted link cannot be opened: ${wordsOf(problem)}`;
+    notify({ kind: "error", text: `${why} Your work stays as it is.` });
+  }
 }
 
 async function open(files: readonly [File, ...File[]]): Promise<void> {
@@ -99,7 +113,6 @@ async function openSeveral(files: readonly [File, ...File[]]): Promise<void> {
   choice.value = { file: `${taken.size} files`, systems, remarks };
 }
 
-const headOf = async (file: Blob) => new Uint8Array(await file.slice(0, HEAD_BYTES).arrayBuffer());
 const ENDING = /\.[a-z0-9]{1,8}$/i;
 
 async function openOne(file: File): Promise<void> {
@@ -110,9 +123,7 @@ async function openOne(file: File): Promise<void> {
     case "empty":
       throw new Error("The file is empty. Choose another.");
     case "other":
-      throw new Error(
-        "This is no file that Frond reads. It reads maps (.ifs, .flame, .aifs, JSON, tables), its own PNG, outlines (SVG, CSV, GeoJSON) and photographs.",
-      );
+      throw new Error(wordsForOther(head));
     case "animation":
       return hand("space", file);
     case "picture":
@@ -144,11 +155,14 @@ async function openPicture(file: File, head: Uint8Array): Promise<void> {
   else await hand(tool.peek() === "deform" ? "deform" : "fit", file);
 }
 
-function openDocument(name: string, link: string): void {
-  const { scene, problem } = frond.decodeScene(arrived(link).text);
+const openDocument = (name: string, link: string) =>
+  openDecoded(arrived(link).text, `Opened what ${name} was saved from.`);
+
+function openDecoded(link: string, said: string): void {
+  const { scene, problem } = frond.decodeScene(link);
   if (problem) throw problem;
   edit(() => scene);
-  notify({ kind: "info", text: `Opened what ${name} was saved from. Undo brings back what was there.` });
+  notify({ kind: "info", text: `${said} Undo brings back what was there.` });
 }
 
 function openMaps(file: string, { systems, remarks, link }: ImportedFile): void {
