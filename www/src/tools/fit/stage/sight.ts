@@ -3,8 +3,6 @@ import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { fitDocument } from "#document/fit";
 import type { View } from "#geometry/coordinates";
 import type { Curve } from "#wasm/api";
-import type { CurveMorphHandle } from "#wasm/curve";
-import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
 import type { Stroke } from "#workers/fit/trace-types";
 import { copyPaths, grown } from "../copies/copies";
@@ -17,6 +15,7 @@ import { cursor, hand, painting, radius, stroke } from "./brush";
 import { effectiveView, stageSize } from "./camera";
 import type { Sight } from "./draw";
 import { comparing, cutting, knotsShown, outlineShown, photoShown } from "./layers";
+import { FitLine } from "./line";
 
 /** What is fitted. */
 const model = computed(() => fitDocument.value.model);
@@ -40,25 +39,12 @@ export function watchFeatures(): () => void {
   });
 }
 
-/** A polyline that leaves the curve by less than can be seen. */
-let drawn: { curve: Curve; handle: CurveMorphHandle } | null = null;
+const line = new FitLine();
 
-const LEAVE = 0.3;
-
+/** As fine as it is seen; where that fails, as the worker drew it. */
 function polyline(curve: Curve, plain: Float64Array, view: View): Float64Array {
   try {
-    if (drawn?.curve !== curve) {
-      drawn?.handle.free();
-      drawn = null;
-      drawn = { curve, handle: new rough.CurveMorph(curve, null) };
-    }
-    const { width, height } = stageSize.peek();
-    const ratio = globalThis.devicePixelRatio || 1;
-    const [x, y] = [(0.6 * width) / view.scale, (0.6 * height) / view.scale];
-    return drawn.handle.polyline(0, {
-      tolerance: LEAVE / view.scale / ratio,
-      window: [view.x - x, view.y - y, view.x + x, view.y + y],
-    });
+    return line.of(curve, view, stageSize.peek(), globalThis.devicePixelRatio || 1);
   } catch {
     return plain;
   }

@@ -10,6 +10,7 @@ import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
 import type { Collage, CollageOptions, Figures, Method, Prepared, Rival } from "#workers/fit/curve";
 import { isStopped, Latest } from "#workers/lanes/latest";
+import { reached, sameCurve } from "../same-curve";
 import { plainName } from "./name";
 import { polylineOf, prepared, ready, SEEDS, upToDate } from "./outline";
 import { cancelled, fail, problem, running, watched } from "./progress";
@@ -287,7 +288,7 @@ async function fitCurve(outline: Prepared, numbers: number, signal: AbortSignal)
           first ||= performance.now() - began;
           batch(() => {
             running.value = { stage, share, rms };
-            best.value = { of: outline, numbers, curve, points };
+            best.value = reached(best.peek(), { of: outline, numbers, curve, points });
           });
         },
       },
@@ -337,10 +338,6 @@ export function shapeOf(curve: Curve): CurveShape {
     return { preset: now.grown, name: plainName(now.name), curve: preset };
   }
   return { name: plainName(now.name), curve };
-}
-
-function sameCurve(a: Curve, b: Curve): boolean {
-  return a === b || JSON.stringify(a) === JSON.stringify(b);
 }
 
 /**
