@@ -9,7 +9,7 @@ import { cutting } from "../stage/layers";
 import { compareWords, METHODS, roughWords, signed } from "../words";
 import { cancel, collage, fitAgain, rivals, rivalsWhole, shownFigures, shownFit } from "../work/fitting";
 import { numbersOf, prepared } from "../work/outline";
-import { cancelled, problem, running } from "../work/progress";
+import { awaited, cancelled, problem, running } from "../work/progress";
 import { source } from "../work/source";
 import { Bars, Fact, Table } from "./facts";
 import { WithinFigures } from "./WithinPanel";
@@ -59,7 +59,7 @@ function Closed() {
   const fit = shownFit.value;
   const done = shownFigures.value;
   const current = done && fit && done.curve === fit.curve ? done : null;
-  if (!fit) return <p class="hint">The first fit comes in a moment.</p>;
+  if (!fit) return awaited.value ? <p class="hint">The first fit will appear in a moment.</p> : null;
   const { knots, edges } = fit.curve;
   const copies = edges.filter((edge) => edge !== null).length;
   return (

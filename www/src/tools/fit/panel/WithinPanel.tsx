@@ -6,6 +6,7 @@ import type { ByteRival } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
 import { LEAST_BYTES, MOST_BYTES } from "../numbers";
 import { BYTE_METHODS, compareBytes } from "../words";
+import { awaited } from "../work/progress";
 import { source } from "../work/source";
 import { byteRivals, shownWithin, type WithinDone, withinDone } from "../work/within";
 import { Bars, Fact, Table } from "./facts";
@@ -58,7 +59,7 @@ export function WithinFigures() {
   const fit = shownWithin.value;
   const done = withinDone.value;
   const current = done && fit && done.word === fit.word ? done : null;
-  if (!fit) return <p class="hint">The first fit comes in a moment.</p>;
+  if (!fit) return awaited.value ? <p class="hint">The first fit will appear in a moment.</p> : null;
   return (
     <>
       {current?.figures ? (
