@@ -29,6 +29,8 @@ type WarningCode =
   | "noise"
   /** The outline crosses itself. */
   | "crossing"
+  /** What surrounds the picture, such as a frame, is left out. */
+  | "surrounded"
   /** More points than are kept: so many were left out. */
   | "thinned"
   /** There are holes in it, which the outline leaves out. */

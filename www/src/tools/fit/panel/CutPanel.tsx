@@ -27,6 +27,7 @@ import {
 } from "../work/mask";
 import { former, opened, takeFormer } from "../work/source";
 import { type Quarters, turnPicture } from "../work/turn";
+import { bringBackWords } from "./messages";
 
 /** Between a picture and its outline: the mask and what mends it. */
 export function CutPanel() {
@@ -114,6 +115,7 @@ function Messages() {
   const list = warnings.value;
   const back = former.value;
   const lost = masked.value !== null && !traced.value;
+  const bringBack = bringBackWords(list, exact.value);
   return (
     <div class={fitCss["cut-messages"]} role="status">
       {list.length > 0 && (
@@ -123,6 +125,7 @@ function Messages() {
           ))}
         </ul>
       )}
+      {bringBack !== null && <p class="notes">{bringBack}</p>}
       {lost && list.length === 0 && (
         <p class="notes">Nothing was found. Draw a stroke over the leaf with Leaf.</p>
       )}
