@@ -6,9 +6,7 @@ import { ToShelf } from "../kept/KeptPanel";
 import { takeSeries } from "../series";
 import { prepared, SEEDS } from "../work/outline";
 import { former, type Source, source, takeFile, takeFormer, takeSource } from "../work/source";
-
-const ACCEPT =
-  "image/png,image/jpeg,image/webp,image/avif,image/gif,image/bmp,image/svg+xml,.svg,.csv,.tsv,.txt,.json,.geojson,text/csv,application/json,application/geo+json";
+import { ACCEPT, READS } from "./formats";
 
 const take = (file: File) => void takeFile(file, file.name, takeSeries);
 
@@ -34,8 +32,8 @@ export function SourcePanel() {
         )}
       </div>
       <p class="hint">
-        Or drop one anywhere, or paste it: PNG, JPEG, WebP, SVG, CSV, GeoJSON. It stays in this page; a link
-        holds the fit, and not what it was made from.
+        Or drop a file anywhere, or paste it: {READS}. It stays on this page. A link holds the fit, but not
+        the file.
       </p>
       <Examples />
     </section>
