@@ -8,7 +8,7 @@ const MOST_OF_A_LINK = 1 << 20;
 
 const BEGINS = "v(?:=|%(?:25)*3D)\\d+(?:&|%(?:25)*26)[\\s\\S]*";
 /** A link of a document, alone or behind other words; and its fragment alone. */
-const ADDRESS = new RegExp(`[a-z]{2,10}:[^\\s#]*#(${BEGINS})`, "i");
+const ADDRESS = new RegExp(`[a-z]{2,10}:[^\\s#]{0,2000}#(${BEGINS})`, "i");
 const FRAGMENT = new RegExp(`^[\\s<("'“]*#?(${BEGINS})`, "i");
 
 const NOT_MEANT =

@@ -13,6 +13,13 @@ const LISTS =
 /** Formulas of x and y, matrices with a shift. */
 const FORMULAS = /"f?x"\s*:\s*"[^"]*[xy][^"]*"\s*,\s*"f?y"\s*:/;
 const MATRIX = /"(matrix|linear|coefs)"\s*:\s*\[[^{}]*\]/;
+/** Formulas of x and y in a row; x1 is a name. */
+const ROW_OF_FORMULAS = /"(?=[^"]*\d)[-+\u2212*/().,\d\s]*[xy](?!\d)(?:[-+\u2212*/().,\d\s]|[xy](?!\d))*"/;
+const ROW_OF_THREE = "\\[\\s*[^[\\],]+,[^[\\],]+,[^[\\],]+\\]\\s*";
+/** A list whose first item has two rows of three numbers, or has 0 0 1 as its third. */
+const LIST_OF_MATRICES = new RegExp(
+  `^\\[\\s*\\[\\s*${ROW_OF_THREE},\\s*${ROW_OF_THREE}(?:,\\s*\\[\\s*0\\s*,\\s*0\\s*,\\s*1\\s*\\]\\s*)?\\]`,
+);
 /** A list that begins with points, as pairs or by their names. */
 const POINTS = /^\[\s*(\[\s*[-+.\deE]+\s*,\s*[-+.\deE]+\s*\]\s*,|\{\s*"(x|lon|lng)"\s*:\s*[-+.\d])/;
 const LETTERS = [..."abcdef"].map((letter) => new RegExp(`"${letter}"\\s*:`, "i"));
@@ -30,13 +37,14 @@ export function kindOfJson(text: string): "maps" | "outline" | "animation" | nul
   if (list !== undefined) return POINTS.test(list) ? "outline" : "maps";
   const objects = [...text.matchAll(/\{[^{}[\]]*\}/g)].slice(0, MOST_LOOKED_AT);
   if (objects.some(([object]) => LETTERS.every((letter) => letter.test(object)))) return "maps";
-  if (FORMULAS.test(text) || MATRIX.test(text)) return "maps";
+  if ([FORMULAS, MATRIX, LIST_OF_MATRICES].some((form) => form.test(text))) return "maps";
   let found: "outline" | null = null;
   for (const { index, 0: row } of [...text.matchAll(/\[[^{}[\]]*\]/g)].slice(0, MOST_LOOKED_AT)) {
     const words = row
       .slice(1, -1)
       .split(/[\s,]+/)
       .filter((word) => word !== "");
+    if (ROW_OF_FORMULAS.test(row)) return "maps";
     if (words.length === 0 || !words.every((word) => NUMBER.test(word))) continue;
     // Rows of a list are maps; numbers that have a name are something else.
     if (words.length >= 6 && !/:\s*$/.test(text.slice(0, index))) return "maps";

@@ -72,7 +72,7 @@ function kindOfText(text: string, strict = false): "outline" | "maps" | "animati
 }
 
 /** A block of IFStile; an entry of Fractint with its numbers, or a table of LaTeX. */
-const BLOCK = /^\s*(@\w*\s*$|\$dim)/m;
+const BLOCK = /^\s*(@\w*\s*([#;].*)?$|\$dim)/m;
 const ENTRY = /\{\s*(?:;[^\n]*\s*)*[-+.\d][-+.\deE,\s]*\s|\\begin\{/;
 
 const isJson = (text: string) => /^\[|^\{\s*["}]/.test(text);
