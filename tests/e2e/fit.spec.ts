@@ -321,7 +321,11 @@ test("files go in: a drawing, points, noise that is smoothed", async ({ page }) 
   const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 120 120"><path id="big" d="${path}Z"/><circle id="small" cx="14" cy="14" r="12"/></svg>`;
   await tool.input.setInputFiles(file(svg, "star.svg", "image/svg+xml"));
   await expect(card(page)).toHaveText("star.svg");
-  await expect(page.getByLabel("Which outline").locator("option")).toHaveCount(2);
+  const choice = page.getByRole("radiogroup", { name: "Which outline" });
+  await expect(choice.getByRole("radio", { name: "1: big" })).toBeChecked();
+  await expect(choice.locator("path[d]")).toHaveCount(2);
+  await choice.getByRole("radio", { name: "1: big" }).press("ArrowRight");
+  await expect(choice.getByRole("radio", { name: "2: small" })).toBeChecked();
   await tool.fitted();
 });
 

@@ -57,7 +57,8 @@ export async function intoMorph(system: Own, where: Where, said: string): Promis
   };
   // The same words again would keep the old way back.
   if (told !== null) dismiss(told);
-  const text = `${system.name} is ${WORDS[where]}, with ${system.maps.length} maps. ${said}`.trim();
+  const count = system.maps.length === 1 ? "one map" : `${system.maps.length} maps`;
+  const text = `${system.name} is ${WORDS[where]}, with ${count}. ${said}`.trim();
   told = notify({
     kind: "info",
     text,

@@ -81,7 +81,7 @@ export interface OpenedOutlines {
 export interface ReadOutline {
   /** An id or a name in the file, or else what it was there: "path 2", "ring 1 of 3". */
   name: string;
-  /** x0, y0, x1, y1, ..: four points or more, counter-clockwise, in the file's units with y up. */
+  /** x0, y0, x1, y1, ..: three points or more, counter-clockwise, in the file's units with y up. */
   points: Float64Array<ArrayBuffer>;
   area: number;
   /** How often it crosses itself, 100 at most; null where that was too much to find out. */

@@ -1,11 +1,12 @@
 import { changeFit, fitDocument } from "#document/fit";
 import { endGesture } from "#document/scene";
-import { Select } from "#ui/controls/Select";
 import { SliderField } from "#ui/controls/SliderField";
+import { useOwnId } from "#ui/id";
 import fitCss from "../fit.module.css";
 import { cutting } from "../stage/layers";
 import { prepared } from "../work/outline";
 import { chooseOutline, source } from "../work/source";
+import { pathOf } from "./silhouette";
 
 const MOST_LISTED = 40;
 
@@ -43,20 +44,29 @@ export function OutlinePanel() {
   );
 }
 
+/** The outlines of a file, each with its picture. Native radios give the list its keys. */
 function Choice() {
   const now = source.value;
+  const group = useOwnId("outline");
   if (now.kind !== "outlines" || now.outlines.length < 2) return null;
   return (
-    <label class={`row ${fitCss["outline-choice"]}`}>
-      <span class="row-name">Which outline</span>
-      <Select value={now.chosen} onChange={(event) => chooseOutline(Number(event.currentTarget.value))}>
-        {now.outlines.slice(0, MOST_LISTED).map((outline, i) => (
-          <option key={i} value={i}>
-            {`${i + 1}: ${outline.name}`}
-          </option>
-        ))}
-      </Select>
-    </label>
+    <div class={fitCss["outlines"]} role="radiogroup" aria-label="Which outline">
+      {now.outlines.slice(0, MOST_LISTED).map((outline, i) => (
+        <label key={i} class={fitCss["outline"]} title={outline.name}>
+          <input
+            type="radio"
+            class="unseen"
+            name={group}
+            checked={i === now.chosen}
+            onChange={() => chooseOutline(i)}
+          />
+          <svg viewBox="-6 -6 112 112" aria-hidden="true">
+            <path d={pathOf(outline.points, 100)} />
+          </svg>
+          <span>{`${i + 1}: ${outline.name}`}</span>
+        </label>
+      ))}
+    </div>
   );
 }
 
