@@ -18,9 +18,9 @@
 //! | file | what of it |
 //! |---|---|
 //! | Fractint's `.ifs`, and others like it | six or seven numbers a map, in space (`(3D)`) twelve or thirteen |
-//! | `.flame` (flam3, Apophysis, JWildfire) | the linear part of transforms, in space too, with `post`, and their colours |
-//! | `.aifs` (IFStile) | maps of numbers, their products and one equation of a set; `read/ifstile.rs` says what else |
-//! | JSON | `{ maps }` as the programming interface has it, alone or several; rows, objects a to f, formulas; documents |
+//! | `.flame` (flam3, Apophysis, JWildfire) | the linear part of transforms, in space too, with `post`; colours |
+//! | `.aifs` (IFStile) | maps of numbers, products, one equation of a set (see `read/ifstile.rs`) |
+//! | JSON | `{ maps }` as the programming interface has it; rows, objects a to f, formulas; documents |
 //! | tables | six or seven columns, in space twelve or thirteen; also as books, encyclopedias and LaTeX print them |
 //! | PNG | the link that Frond wrote into it |
 //!

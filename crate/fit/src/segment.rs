@@ -223,8 +223,8 @@ impl Framed {
         self.whole.get_or_init(|| Reading::new(width, height, self.rgba.clone()))
     }
 
-    /// Whether a hint says that the frame is leaf: it begins there, or most of it is drawn there. Corners may be smaller
-    /// than the brush.
+    /// Whether a hint says that the frame is leaf: it begins there, or most of it is drawn there. Corners may be
+    /// smaller than the brush.
     fn is_meant(&self, hint: &Stroke) -> bool {
         let around = |i: usize| self.around.on[i];
         let (width, height) = (self.around.width, self.around.height);

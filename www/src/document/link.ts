@@ -1,8 +1,8 @@
 /** The address bar: what it asks for, and the document in it. */
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
+import { arrived, placeOf, withCheck } from "#format/link-mending";
 import type { FrondError, Scene } from "#wasm/api";
 import { phasePlaying } from "./deform/bend";
-import { arrived, placeOf, withCheck } from "./link-mending";
 import { notify, wordsOf } from "./notice";
 import { playing, spacePlaying } from "./playback";
 import { edit, inGesture, scene, start } from "./scene";

@@ -1,12 +1,12 @@
 /** The link of the document, and the ways in which it goes to others. */
 import { useEffect, useState } from "preact/hooks";
 import { ownPicture, pictureShown } from "#document/deform/picture";
-import { withCheck } from "#document/link-mending";
 import { notify, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import { exportOpen } from "#film/open";
 import type { Still } from "#film/subject";
 import { escaped } from "#format/html";
+import { withCheck } from "#format/link-mending";
 import { Button } from "#ui/controls/Button";
 import { Dialog } from "#ui/overlay/Dialog";
 import { QrCode } from "#ui/overlay/QrCode";

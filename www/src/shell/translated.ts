@@ -1,8 +1,8 @@
 /**
- * A page that the browser translates keeps its words true. A translator (Chrome's, Edge's) puts an element of its own in
- * the place of each text node, and Preact goes on changing a node that nobody sees. So the node is put back before the
- * translation, empty: when Preact writes into it, moves it or takes it away, the translation goes, and the translator
- * finds new text to translate.
+ * A page that the browser translates keeps its words true. A translator (Chrome's, Edge's) puts an element of its own
+ * in the place of each text node, and Preact goes on changing a node that nobody sees. So the node is put back before
+ * the translation, empty: when Preact writes into it, moves it or takes it away, the translation goes, and the
+ * translator finds new text to translate.
  */
 
 const TRANSLATION = "FONT";

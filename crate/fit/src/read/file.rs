@@ -26,8 +26,8 @@ pub enum ReadAs {
     Series,
 }
 
-/// Reads a text file: SVG, a table of numbers or TPS, or JSON with outlines (`GeoJSON`, `TopoJSON`, the files of programs
-/// that label pictures), whichever it is. Lengths are in the units of the file, and y is up.
+/// Reads a text file: SVG, a table of numbers or TPS, or JSON with outlines (`GeoJSON`, `TopoJSON`, the files of
+/// programs that label pictures), whichever it is. Lengths are in the units of the file, and y is up.
 ///
 /// ```
 /// use frond_fit::{FileContent, ReadAs, read_file};

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { withCheck } from "#document/link-mending";
 import { dismiss, notices } from "#document/notice";
 import { canUndo, scene, start, undo } from "#document/scene";
+import { withCheck } from "#format/link-mending";
 import { openFile } from "#ui/files/door";
 import { listen } from "./door";
 

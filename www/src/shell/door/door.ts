@@ -3,10 +3,10 @@
  * the tool it belongs to, as one step to undo.
  */
 import { signal } from "@preact/signals";
-import { arrived } from "#document/link-mending";
 import { notify, wordsOf } from "#document/notice";
 import { cameFrom, edit, lastStep } from "#document/scene";
 import { tool } from "#document/tool";
+import { arrived } from "#format/link-mending";
 import { openFile, takeFiles } from "#ui/files/door";
 import { focusOf } from "#ui/focus";
 import type { ImportedFile, ImportedSystem, Tool } from "#wasm/api";

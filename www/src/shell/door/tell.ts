@@ -53,7 +53,7 @@ export function mayHoldLink(head: Uint8Array): boolean {
   return new TextDecoder("latin1").decode(head.subarray(0, HEAD_BYTES)).includes("iTXtFrond link");
 }
 
-/** Null where nothing is found that says what it is. `strict`: braces around words, and a number or two, say nothing. */
+/** Null where nothing says what it is. `strict`: braces around words, and a number or two, say nothing. */
 function kindOfText(text: string, strict = false): "outline" | "maps" | "animation" | "other" | null {
   if (text.startsWith("<")) return ofXml(text);
   if (isJson(text)) return kindOfJson(text);

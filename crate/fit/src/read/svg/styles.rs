@@ -261,7 +261,7 @@ fn is_moved(node: Node<'_, '_>) -> bool {
     node.tag_name().name() == "use" && LINKS[..2].iter().any(has)
 }
 
-/// Sides in parts (%) of a symbol's own box, which usvg takes for parts of the place where it is used, and what they are.
+/// Sides in parts (%) of a symbol's own box, and what they are: usvg takes them for parts of where it is used.
 fn parts<'a, 'input>(node: Node<'a, 'input>) -> impl Iterator<Item = (Attribute<'a, 'input>, f64)> {
     let is_part =
         move |one: &Attribute<'_, '_>| SIDES.contains(&one.name()) && one.value().trim_end().ends_with('%');

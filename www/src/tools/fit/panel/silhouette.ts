@@ -2,8 +2,8 @@
 const MOST_CORNERS = 200;
 
 /**
- * An outline (x, y, x, y, .. with y up) as the path of a small picture, in the middle of a square of `side` with y down.
- * Empty where it has no extent.
+ * An outline (x, y, x, y, .. with y up) as the path of a small picture, in the middle of a square of `side` with y
+ * down. Empty where it has no extent.
  */
 export function pathOf(points: Float64Array, side: number): string {
   const count = points.length / 2;
