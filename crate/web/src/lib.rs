@@ -9,7 +9,7 @@
 //!
 //! 1. `boundary`: how values cross. `value` reads and writes maps and options, `error` is what is thrown.
 //! 2. `compute`: what describes and draws. `shape` shows best how a function is exported.
-//! 3. `bend`, `proof`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`, `text_file` (`fit` and `svg`): a
+//! 3. `bend`, `proof`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`, `text_file` (of `text` and `svg`): a
 //!    folder or a file for each of the other modules, a file for what belongs together.
 //! 4. `renderers`: the stages of `frond-render` on a canvas, for WebGPU and for WebGL2.
 //!
@@ -47,13 +47,15 @@ pub mod exchange;
 pub mod fit;
 #[cfg(feature = "morph")]
 mod morph;
+#[cfg(any(feature = "fit", feature = "svg", feature = "text"))]
+mod outlines;
 #[cfg(feature = "proof")]
 mod proof;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 mod renderers;
 #[cfg(feature = "space")]
 pub mod space;
-#[cfg(any(feature = "fit", feature = "svg"))]
+#[cfg(any(feature = "svg", feature = "text"))]
 pub mod text_file;
 
 #[cfg(feature = "bend")]
@@ -81,6 +83,7 @@ use wasm_bindgen::prelude::*;
         feature = "fit",
         feature = "space",
         feature = "svg",
+        feature = "text",
         feature = "exchange",
         feature = "directed",
         feature = "morph"

@@ -1,48 +1,17 @@
-//! From text files to outlines and series. Drawings are read by the module of the feature `svg`, which is as large as
-//! all the rest of the fit: it is fetched when somebody opens one.
+//! From text files to outlines and series, in modules that are fetched when somebody opens one: `text` reads tables and
+//! JSON, `svg` drawings, for which it is as large as all the rest of the fit.
 
 #[cfg(feature = "svg")]
 use frond_fit::read_drawing;
-use frond_fit::{FileContent, Notice, ReadError, Remark};
-#[cfg(feature = "fit")]
+use frond_fit::{FileContent, ReadError};
+#[cfg(feature = "text")]
 use frond_fit::{ReadAs, read_file};
-use glam::DVec2;
-use js_sys::{Array, Float64Array};
-use serde::Serialize;
+use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::failure;
-use crate::boundary::value::{object, write};
-
-#[derive(Serialize)]
-pub(crate) struct Warning {
-    code: &'static str,
-    message: String,
-}
-
-impl From<&Notice> for Warning {
-    fn from(notice: &Notice) -> Self {
-        Self { code: notice.code(), message: notice.message() }
-    }
-}
-
-impl From<&Remark> for Warning {
-    fn from(remark: &Remark) -> Self {
-        Self { code: remark.code, message: remark.message.clone() }
-    }
-}
-
-pub(crate) fn warnings<'a, T: 'a>(all: &'a [T]) -> Result<JsValue, JsValue>
-where
-    Warning: From<&'a T>,
-{
-    write(&all.iter().map(Warning::from).collect::<Vec<_>>())
-}
-
-pub(crate) fn flat(points: &[DVec2]) -> JsValue {
-    let numbers: Vec<f64> = points.iter().flat_map(|p| p.to_array()).collect();
-    Float64Array::from(&numbers[..]).into()
-}
+use crate::boundary::value::object;
+use crate::outlines::{flat, warnings};
 
 fn of_read(error: &ReadError) -> JsValue {
     failure(error.code(), &error.to_string())
@@ -50,7 +19,7 @@ fn of_read(error: &ReadError) -> JsValue {
 
 /// Reads a text file: a table of numbers or GeoJSON. `take` is `"outlines"`, `"series"` or undefined, and counts for
 /// tables. A drawing is thrown back with the code `drawing`.
-#[cfg(feature = "fit")]
+#[cfg(feature = "text")]
 #[wasm_bindgen(js_name = readTextFile)]
 pub fn read_text_file(bytes: &[u8], take: Option<String>) -> Result<JsValue, JsValue> {
     let read_as = match take.as_deref() {

@@ -3,11 +3,11 @@
 /// The name of the files and the features that make them. The first describes, draws and bends: the package has it.
 /// The page has these two apart: what describes and draws, all that the first picture needs, and what bends, where
 /// something is bent. Then there are closed curves and graphs, where the page shows some; what decides and proves,
-/// in the workers; what traces and fits outlines, in workers of its own, and there what reads drawings, when one is
-/// opened; space, where its tool is open; what reads and
+/// in the workers; what traces and fits outlines, in workers of its own, and there what reads drawings, tables
+/// and JSON, when one is opened; space, where its tool is open; what reads and
 /// writes files of other programs, when one is opened or saved; shapes of several states, where some are shown; and
 /// what draws a morph on other people's pages. Of the others, which draw on a graphics card, a visitor gets one.
-pub const MODULES: [(&str, &str); 13] = [
+pub const MODULES: [(&str, &str); 14] = [
     ("frond", "compute,bend"),
     ("frond-first", "compute"),
     ("frond-bend", "bend"),
@@ -15,6 +15,7 @@ pub const MODULES: [(&str, &str); 13] = [
     ("frond-proof", "proof"),
     ("frond-fit", "fit"),
     ("frond-svg", "svg"),
+    ("frond-text", "text"),
     ("frond-space", "space"),
     ("frond-exchange", "exchange"),
     ("frond-directed", "directed"),
@@ -24,7 +25,7 @@ pub const MODULES: [(&str, &str); 13] = [
 ];
 
 /// Those that the package does without.
-const PAGE_ALONE: [&str; 3] = ["frond-first", "frond-bend", "frond-svg"];
+const PAGE_ALONE: [&str; 4] = ["frond-first", "frond-bend", "frond-svg", "frond-text"];
 
 /// Scripts of crate/web/js, which choose among the modules.
 pub const SCRIPTS: [&str; 2] = ["renderer.js", "renderer.d.ts"];

@@ -48,7 +48,7 @@ pub fn gate() -> Outcome {
             }
         };
     let (first, proof, fit) = (weigh("frond-first_bg")?, weigh("frond-proof_bg")?, weigh("frond-fit_bg")?);
-    let svg = weigh("frond-svg_bg")?;
+    let (svg, text) = (weigh("frond-svg_bg")?, weigh("frond-text_bg")?);
     let bend = weigh("frond-bend_bg")?;
     let (curve, space) = (weigh("frond-curve_bg")?, weigh("frond-space_bg")?);
     let (exchange, directed) = (weigh("frond-exchange_bg")?, weigh("frond-directed_bg")?);
@@ -68,6 +68,7 @@ pub fn gate() -> Outcome {
         ("wasm of closed curves", curve, None),
         ("wasm that fits outlines", fit, None),
         ("wasm that reads drawings", svg, Some(MOST_SVG_BYTES)),
+        ("wasm that reads tables", text, None),
         ("wasm of space", space, None),
         ("wasm of files", exchange, None),
         ("wasm of several states", directed, None),

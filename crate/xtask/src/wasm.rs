@@ -22,7 +22,7 @@ const OPTIMISE: &str = "--low-memory-unused -O3 -O3 --skip-pass=inlining-optimiz
     --enable-sign-ext --enable-mutable-globals --enable-reference-types --enable-multivalue \
     --enable-call-indirect-overlong";
 
-/// Makes what frond-fit brings of its libraries' code as small as the libraries themselves.
+/// Makes frond-fit as small as other people's libraries, with what it brings of their code.
 const SMALL: &str = "--config profile.release.package.frond-fit.opt-level=\"z\"";
 
 /// What lies in a crate's folder and is no part of a module.
@@ -137,8 +137,8 @@ fn make(modules: &[Stale], pkg: &Path) -> Outcome {
         let mut finishing = Vec::new();
         for module in modules.iter().rev() {
             let (name, features) = (module.name, module.features);
-            // What reads drawings is another's library for the most part, and waits for a file, not for a frame.
-            let small = if name == "frond-svg" { SMALL } else { "" };
+            // What reads files runs once for each, and no frame waits for it.
+            let small = if matches!(name, "frond-svg" | "frond-text") { SMALL } else { "" };
             run(&mut cargo_wasm(&format!(
                 "build --package frond-web --lib --release --target {WASM_TARGET} --no-default-features --features {features} {small}"
             )))?;

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::failure;
 use crate::boundary::value::{object, read, write};
-use crate::text_file::{flat, warnings};
+use crate::outlines::{flat, warnings};
 
 fn of_trace(error: &TraceError) -> JsValue {
     failure(error.code(), &error.to_string())

@@ -3,6 +3,12 @@ import type { FitModule } from "#wasm/fit";
 import type { Context } from "./context";
 import { traceTasks } from "./trace";
 
+const modules = vi.hoisted(() => ({
+  readTextFile: (_: Uint8Array): unknown => ({ kind: "outlines", outlines: [] }),
+  readDrawing: (_: Uint8Array): unknown => ({ kind: "outlines", format: "svg", outlines: [] }),
+}));
+vi.mock("#wasm/text", () => ({ loadTables: async () => modules, loadDrawings: async () => modules }));
+
 type Plain = Context<never> & { readonly fit: FitModule };
 
 const freed: number[] = [];
@@ -16,11 +22,9 @@ class Tracer {
 }
 
 /** As much of a worker's inside as the tasks touch. */
-function worker(
-  readTextFile: (bytes: Uint8Array) => unknown = () => ({ kind: "outlines", outlines: [] }),
-): Plain {
+function worker(): Plain {
   return {
-    fit: { PictureTracer: Tracer, readTextFile } as unknown as FitModule,
+    fit: { PictureTracer: Tracer } as unknown as FitModule,
     keep: new Map(),
     progress: () => {},
     breathe: async () => {},
@@ -102,15 +106,21 @@ describe("opening a file", () => {
 
   test("a text is read as one whatever it is called, and what is wrong names the file", async () => {
     const problem = Object.assign(new Error("No numbers."), { code: "no-numbers" });
-    const fails = worker(() => {
+    const read = vi.spyOn(modules, "readTextFile").mockImplementation(() => {
       throw problem;
     });
-    await expect(open(new Blob(["milk, bread"]), "leaf.png", fails)).rejects.toEqual({
+    await expect(open(new Blob(["milk, bread"]), "leaf.png")).rejects.toEqual({
       code: "no-numbers",
       message: "“leaf.png”: No numbers.",
     });
+    // The one module says that it is a drawing, and the other reads it.
+    read.mockImplementation(() => {
+      throw Object.assign(new Error("A drawing."), { code: "drawing" });
+    });
     const opened = await open(new Blob(["<svg></svg>"]), "leaf.png");
-    expect(opened).toMatchObject({ kind: "outlines", name: "leaf.png" });
+    expect(opened).toMatchObject({ kind: "outlines", format: "svg", name: "leaf.png" });
+    read.mockRestore();
+    expect(await open(new Blob(["1,2"]), "leaf.png")).not.toHaveProperty("format");
   });
 
   test("what is known and not read is named, with what to do, before all of it is read", async () => {

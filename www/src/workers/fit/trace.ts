@@ -1,7 +1,7 @@
 /** From files to outlines, inside a worker. What goes in and comes out is told in `trace-types`. */
 
 import type { FitModule } from "#wasm/fit";
-import { loadDrawings } from "#wasm/svg";
+import { loadDrawings, loadTables } from "#wasm/text";
 import { type Decoded, decode } from "../image/decode";
 import { HEAD_BYTES, type Header, readHeader } from "../image/header";
 import { inWords, MOST_MEGAPIXELS, shortName } from "../image/limits";
@@ -101,10 +101,10 @@ async function picture(file: Blob, name: string, header: Header): Promise<Decode
 
 type Read = Omit<OpenedOutlines, "name"> | Omit<OpenedSeries, "name">;
 
-/** Reads a text; a drawing by the module for those. */
-async function readText(fit: FitModule, bytes: Uint8Array, as: OpenFileArgs["as"]): Promise<Read> {
+/** Reads a text, which says itself whether it is a drawing. */
+async function readText(bytes: Uint8Array, as: OpenFileArgs["as"]): Promise<Read> {
   try {
-    return fit.readTextFile(bytes, as);
+    return (await loadTables()).readTextFile(bytes, as);
   } catch (problem) {
     if ((problem as { code?: unknown }).code !== "drawing") throw problem;
     return (await loadDrawings()).readDrawing(bytes);
@@ -150,7 +150,7 @@ export const traceTasks = {
       }
       const bytes = head.length === file.size ? head : new Uint8Array(await file.arrayBuffer());
       try {
-        const read = await readText(fit, bytes, as);
+        const read = await readText(bytes, as);
         for (const { points } of read.kind === "series" ? [read] : read.outlines) transfer(points.buffer);
         return { ...read, name };
       } catch (problem) {
