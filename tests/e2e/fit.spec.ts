@@ -345,7 +345,7 @@ test("what cannot be fitted is refused with what to try, and nothing is lost", a
     [file("milk, bread", "notes.png"), /notes\.png|picture|PNG/],
     [file(jpeg, "half.jpg", "image/jpeg"), /half\.jpg|damaged|ends|read/],
     [file(huge, "huge.png"), /megapixel/],
-    [file("x,y\n0,0\n1,0\n0,1\n", "three.csv", "text/csv"), /point/],
+    [file("x,y\n0,0\n1,0\n", "two.csv", "text/csv"), /point/],
     [file(Buffer.alloc(0), "nothing.csv", "text/csv"), /./],
     [
       file(

@@ -201,6 +201,12 @@ describe("parseRoute", () => {
     expect(parseRoute("learning")).toEqual({ page: "studio" });
   });
 
+  it("finds a page whose address was changed on its way, and leaves alone what it is set to", () => {
+    expect(parseRoute("learn/e1).")).toEqual({ page: "learn", figure: "e1", state: "" });
+    const state = "title=Class%209b&says=Why%3F%20Tell.";
+    expect(parseRoute(`learn/class/${state}`)).toEqual({ page: "learn", figure: "class", state });
+  });
+
   it("knows the lessons, also by the addresses that they had", () => {
     expect(parseRoute("learn")).toEqual({ page: "learn", figure: null, state: "" });
     expect(parseRoute("learn/e1")).toEqual({ page: "learn", figure: "e1", state: "" });

@@ -44,7 +44,8 @@ export const openings = signal(0);
  * other fragment is a document. Lessons were among the figures once: `#figures/e1` leads to them still.
  */
 export function parseRoute(fragment: string): Route {
-  const match = /^(figures|learn)(?:\/([\w-]{1,32})(?:\/(\S*))?)?$/.exec(placeOf(fragment));
+  const page = /^(figures|learn)(?:\/([\w-]{1,32})(?:\/(\S*))?)?$/;
+  const match = page.exec(fragment) ?? page.exec(placeOf(fragment));
   if (!match) return { page: "studio" };
   const [, place, figure = null, state = ""] = match;
   return { page: place === "learn" || /^e\d+$/i.test(figure ?? "") ? "learn" : "figures", figure, state };

@@ -80,6 +80,7 @@ describe("placeOf", () => {
     ["figures%2Fc6%2Fshare%3D1", "figures/c6/share=1"],
     ["figures/3?utm_source=x", "figures/3"],
     ["learn/12%20", "learn/12"],
+    ["learn/class/title=Class%209b%20).", "learn/class/title=Class%209b"],
   ])("%s", (written, place) => {
     expect(placeOf(written)).toBe(place);
   });

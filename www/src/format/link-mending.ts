@@ -100,10 +100,15 @@ export function arrived(link: string): Arrived {
   return checked(text) ?? { text: text.replace(CHECKED, "$1"), cutAfter: null };
 }
 
-/** The address of a page (`learn/e1`), put right in the same way. */
+/** The address of a page (`learn/e1`) without what stands behind it; what the page is set to is left alone. */
 export function placeOf(fragment: string): string {
-  const slashes = /^(?:figures|learn)%2F/i.test(fragment)
-    ? fragment.replace(/%2F/gi, "/").replace(/%3D/gi, "=")
-    : fragment;
-  return slashes.replace(INVISIBLE, "").replace(QUERY, "").replace(BEHIND, "");
+  const encoded = /^(?:figures|learn)%2F/i.test(fragment);
+  let text = encoded ? fragment.replace(/%2F/gi, "/").replace(/%3D/gi, "=") : fragment;
+  text = text.replace(QUERY, "");
+  const behind = new RegExp(`(?:${INVISIBLE.source})+$`, "i");
+  for (let before = ""; before !== text; ) {
+    before = text;
+    text = text.replace(behind, "").replace(BEHIND, "");
+  }
+  return text;
 }
