@@ -25,8 +25,9 @@ use quick_xml::events::Event;
 
 use super::problem::{Gathered, ImportError, MAX_SYSTEMS};
 use crate::text::{Lines, short};
+pub use transform::turned_over;
 use transforms::Flame;
-pub use transforms::{OWN_VERSION, turned_over};
+pub use transforms::OWN_VERSION;
 
 /// What a flame is called.
 const FLAMES: [&str; 2] = ["flame", "jwf-flame"];

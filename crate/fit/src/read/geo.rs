@@ -2,6 +2,8 @@
 
 mod annotation;
 mod evidence;
+mod found;
+mod nest;
 mod topology;
 mod visit;
 mod word;
@@ -11,8 +13,10 @@ use serde::de::DeserializeSeed;
 
 use self::annotation::{Known, Node};
 use self::evidence::Units;
+use self::found::{Found, Label};
+use self::nest::Nest;
 use self::topology::{Arcs, arcs};
-use self::visit::{Found, Label, Nest, Object, Objects};
+use self::visit::{Object, Objects};
 use super::content::FileContent;
 use super::problem::{ReadError, Remark};
 use super::text::short;

@@ -4,8 +4,11 @@
 //! refuses what would grow without end, [`styles`] writes out the properties that usvg does not look for in style
 //! sheets, [`visible`] lists what is shown, [`region`] cuts it by clip paths and masks, [`flatten`] makes lines of it.
 
+mod edit;
 mod flatten;
+mod left_out;
 mod limits;
+mod paths;
 mod region;
 mod source;
 mod styles;
@@ -18,27 +21,11 @@ use std::collections::BTreeMap;
 use kurbo::Rect;
 
 use self::flatten::flatten;
+use self::left_out::LeftOut;
 use self::visible::{Shape, Visible};
 use super::content::FileContent;
 use super::problem::{ReadError, Remark};
 use super::text::short;
-
-/// What was met in a drawing and is not an outline, each once, as the reader is told of it.
-#[derive(Default)]
-struct LeftOut(Vec<&'static str>);
-
-impl LeftOut {
-    fn add(&mut self, what: &'static str) {
-        if !self.0.contains(&what) {
-            self.0.push(what);
-        }
-    }
-
-    fn remark(&self) -> Option<Remark> {
-        let message = || format!("Not looked at: {}.", self.0.join(", "));
-        (!self.0.is_empty()).then(|| Remark::new("ignored", message()))
-    }
-}
 
 /// Reads the shapes of an SVG as a browser shows them: transformed, used again, clipped, and without what is hidden.
 /// Nothing is run or fetched. Coordinates are those of the page, in pixels where the drawing has a size, in single

@@ -248,7 +248,7 @@ impl Transform {
         if let Some(post) = affine(self.after.xy).filter(|post| *post != Affine2::IDENTITY) {
             map = post * map;
         }
-        super::turned_over(map.to_row())
+        turned_over(map.to_row())
     }
 }
 
@@ -284,4 +284,10 @@ fn bare(key: &str) -> String {
         Some((start, end)) => format!("{start}{end}"),
         None => name.to_owned(),
     }
+}
+
+/// The same map where y points the other way. Zeros keep their sign, which means nothing and would be written.
+pub fn turned_over([a, b, c, d, e, f]: Row) -> Row {
+    let negative = |x: f64| if x == 0.0 { x } else { -x };
+    [a, negative(b), negative(c), d, e, negative(f)]
 }

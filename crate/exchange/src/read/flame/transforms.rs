@@ -339,9 +339,3 @@ fn miswritten(tag: &BytesStart<'_>) -> Result<(), String> {
     }
     Ok(())
 }
-
-/// The same map where y points the other way. Zeros keep their sign, which means nothing and would be written.
-pub fn turned_over([a, b, c, d, e, f]: Row) -> Row {
-    let negative = |x: f64| if x == 0.0 { x } else { -x };
-    [a, negative(b), negative(c), d, e, negative(f)]
-}

@@ -7,7 +7,7 @@ use glam::DVec2;
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
 use super::super::gather::{Line, MAX_KEPT};
-use super::visit::Found;
+use super::found::Found;
 use super::word::Word;
 
 /// The most classes that are named.

@@ -9,7 +9,8 @@ use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, Seq
 
 use super::super::gather::{Line, MAX_KEPT};
 use super::super::problem::ReadError;
-use super::visit::{Found, Item, Nest, Walk};
+use super::found::Found;
+use super::nest::{Item, Nest, Walk};
 
 /// The most points of all lines that are shared.
 pub const MAX_POINTS: usize = MAX_KEPT;

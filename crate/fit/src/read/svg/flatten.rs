@@ -5,11 +5,10 @@ use kurbo::{PathEl, Point, Rect};
 
 use super::super::gather::{About, Gathered, Line};
 use super::super::problem::ReadError;
-use super::visible::{Drawn, Shape, elements};
+use super::paths::{FLATNESS, elements};
+use super::visible::{Drawn, Shape};
 use crate::outline::bounds;
 
-/// Curves are flattened to this part of the diagonal of all.
-pub const FLATNESS: f64 = 5e-5;
 /// Points of all lines once their curves are flattened.
 const MAX_POINTS: usize = 1 << 23;
 

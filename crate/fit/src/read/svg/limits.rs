@@ -8,8 +8,8 @@ use roxmltree::{Attribute, Document, Node, NodeId};
 use svgtypes::{PathParser, PathSegment, PointsParser};
 
 use super::super::problem::ReadError;
-use super::LeftOut;
-use super::source::{Edit, edited};
+use super::edit::{Edit, edited};
+use super::left_out::LeftOut;
 
 /// Elements of a file.
 pub const MAX_ELEMENTS: usize = 32_000;
@@ -271,7 +271,7 @@ fn without_dust(path: &str) -> Option<String> {
 /// again and again, each time a step deeper (svgtypes).
 fn is_endless(path: &str) -> bool {
     let mut closed = 0;
-    let mut endless = |segment: Result<PathSegment, _>| match segment {
+    let endless = |segment: Result<PathSegment, _>| match segment {
         Ok(PathSegment::EllipticalArc { rx, ry, .. }) => rx.abs().max(ry.abs()) > MAX_NUMBER,
         Ok(PathSegment::ClosePath { .. }) => {
             closed += 1;
@@ -282,7 +282,7 @@ fn is_endless(path: &str) -> bool {
             false
         }
     };
-    PathParser::from(path).any(|segment| endless(segment))
+    PathParser::from(path).any(endless)
 }
 
 /// How many points an element has of its own; says what it is where it has no outline.

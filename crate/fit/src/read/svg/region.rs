@@ -8,9 +8,8 @@ use i_overlay::float::single::SingleFloatOverlay;
 use kurbo::{Affine, PathEl, Rect};
 use usvg::{ClipPath, Group, Mask, MaskType, Node, Paint};
 
-use super::LeftOut;
-use super::flatten::FLATNESS;
-use super::visible::{affine, around, elements};
+use super::left_out::LeftOut;
+use super::paths::{FLATNESS, affine, around, elements};
 use crate::outline::crossings;
 
 /// Points of all shapes and regions that are cut by each other.

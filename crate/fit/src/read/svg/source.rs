@@ -1,7 +1,6 @@
 //! The text of a drawing as a tree of elements, and as a tree of what is shown.
 
 use std::borrow::Cow;
-use std::ops::Range;
 use std::sync::Arc;
 
 use roxmltree::{Document, Error, ParsingOptions};
@@ -9,7 +8,9 @@ use usvg::{ImageKind, Options, Tree};
 
 use super::super::problem::ReadError;
 use super::super::text::short;
-use super::{LeftOut, limits};
+use super::edit::edited;
+use super::left_out::LeftOut;
+use super::limits;
 
 /// Prefixes that are declared for a drawing which uses them undeclared, as parts cut out of a page do.
 const MAX_DECLARED: usize = 16;
@@ -87,24 +88,6 @@ fn declared(text: &str, prefix: &str) -> String {
 fn cut_out(text: &str) -> Option<String> {
     let (start, end) = (text.find("<svg")?, text.rfind("</svg>")? + "</svg>".len());
     (start < end && end - start < text.trim().len()).then(|| text[start..end].to_owned())
-}
-
-/// A place in the text where letters are replaced.
-pub type Edit = (Range<usize>, String);
-
-pub fn edited(text: &str, mut edits: Vec<Edit>) -> String {
-    edits.sort_by_key(|(range, _)| (range.start, range.end));
-    let mut written = String::with_capacity(text.len() + 64 * edits.len());
-    let mut at = 0;
-    for (range, new) in edits {
-        if range.start >= at && range.end <= text.len() {
-            written.push_str(&text[at..range.start]);
-            written.push_str(&new);
-            at = range.end;
-        }
-    }
-    written.push_str(&text[at..]);
-    written
 }
 
 /// The text without attributes that would make a drawing grow without end.

@@ -10,8 +10,9 @@ use roxmltree::{Attribute, Document, Node, NodeId};
 use simplecss::{AttributeOperator, Declaration, DeclarationTokenizer, PseudoClass, Rule, StyleSheet};
 
 use super::super::problem::ReadError;
-use super::LeftOut;
-use super::source::{self, Edit, edited};
+use super::edit::{Edit, edited};
+use super::left_out::LeftOut;
+use super::source;
 use super::transforms::{length, origin, property, transform};
 
 const GEOMETRY: [&str; 10] = ["x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "d"];

@@ -4,20 +4,17 @@ use std::rc::Rc;
 
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
-use kurbo::{Affine, PathEl, Point, Rect};
-use usvg::tiny_skia_path::PathSegment;
+use kurbo::{Affine, Rect};
 use usvg::{Group, ImageKind, Node, Tree};
 
 use super::super::problem::ReadError;
-use super::flatten::FLATNESS;
+use super::left_out::LeftOut;
+use super::paths::{FLATNESS, affine, around};
 use super::region::{Cutter, Region, bounds, frame, rule};
-use super::{LeftOut, source};
+use super::source;
 
 /// A shape that all is drawn on has no more elements.
 const MAX_GROUND: usize = 10;
-/// No place of a shape is farther off than this.
-const MAX_COORDINATE: f64 = 1e9;
-
 /// The outline of a shape.
 pub enum Drawn<'a> {
     Path(&'a usvg::tiny_skia_path::Path, Affine),
@@ -45,40 +42,6 @@ pub struct Visible<'a> {
     pub around: Option<Rect>,
     /// How many are hidden.
     pub hidden: usize,
-}
-
-/// A matrix in double precision.
-pub fn affine(matrix: usvg::Transform) -> Affine {
-    Affine::new([matrix.sx, matrix.ky, matrix.kx, matrix.sy, matrix.tx, matrix.ty].map(f64::from))
-}
-
-/// The elements of a path.
-pub fn elements(path: &usvg::tiny_skia_path::Path) -> impl Iterator<Item = PathEl> {
-    let point = |p: usvg::tiny_skia_path::Point| Point::new(p.x.into(), p.y.into());
-    path.segments().map(move |segment| match segment {
-        PathSegment::MoveTo(p) => PathEl::MoveTo(point(p)),
-        PathSegment::LineTo(p) => PathEl::LineTo(point(p)),
-        PathSegment::QuadTo(a, p) => PathEl::QuadTo(point(a), point(p)),
-        PathSegment::CubicTo(a, b, p) => PathEl::CurveTo(point(a), point(b), point(p)),
-        PathSegment::Close => PathEl::ClosePath,
-    })
-}
-
-/// The box around a path, none where it has no place or is too far off.
-pub fn around(path: &usvg::tiny_skia_path::Path, place: Affine) -> Option<Rect> {
-    let sides = path.bounds();
-    let corner = |x: f32, y: f32| place * Point::new(x.into(), y.into());
-    let [a, b, c, d] = [
-        (sides.left(), sides.top()),
-        (sides.right(), sides.top()),
-        (sides.right(), sides.bottom()),
-        (sides.left(), sides.bottom()),
-    ]
-    .map(|(x, y)| corner(x, y));
-    let bounds = Rect::from_points(a, c).union(Rect::from_points(b, d));
-    let far =
-        [bounds.x0, bounds.y0, bounds.x1, bounds.y1].into_iter().all(|side| side.abs() <= MAX_COORDINATE);
-    far.then_some(bounds)
 }
 
 /// What a group hands down to what is inside of it.

@@ -1,6 +1,6 @@
 //! What the heading of a table calls its columns: which are x and y, which counts rows, which tells outlines apart.
 
-use super::columns::Parted;
+use super::fields::Parted;
 
 /// So many fields of a heading are looked at.
 const MAX_NAMES: usize = 64;

@@ -9,7 +9,7 @@ use super::super::gather::{About, FEWEST_POINTS, Gathered, Line, MAX_KEPT};
 use super::super::problem::Remark;
 use super::super::text::short;
 use super::columns::Columns;
-use super::{Row, point, rows};
+use super::rows::{Row, point, rows};
 
 /// The most outlines that a column may tell apart.
 const MAX_PARTS: usize = 1000;

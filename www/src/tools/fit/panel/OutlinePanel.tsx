@@ -50,9 +50,9 @@ function Choice() {
   const group = useOwnId("outline");
   if (now.kind !== "outlines" || now.outlines.length < 2) return null;
   return (
-    <div class={fitCss["outlines"]} role="radiogroup" aria-label="Which outline">
+    <div class={fitCss["outline-cards"]} role="radiogroup" aria-label="Which outline">
       {now.outlines.slice(0, MOST_LISTED).map((outline, i) => (
-        <label key={i} class={fitCss["outline"]} title={outline.name}>
+        <label key={i} class={fitCss["outline-card"]} title={outline.name}>
           <input
             type="radio"
             class="unseen"
