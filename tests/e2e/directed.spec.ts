@@ -81,6 +81,8 @@ test("a fern becomes an outline edge by edge, and its link opens it", async ({ s
   expect(leaf.hash).not.toBe(fern.hash);
   await page.getByRole("button", { name: "More for shape B" }).click();
   await page.getByRole("menuitem", { name: "Keep this shape" }).click();
+  // It is kept once that is said: another page may be opened then.
+  await expect(page.locator(".toasts")).toContainText(/kept|Yours/i);
   const link = new URL(page.url()).hash.slice(1);
   expect(link).toMatch(/directed-a=frond&directed-b=curve:/);
   await studio.open(link);
