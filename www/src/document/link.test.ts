@@ -73,7 +73,7 @@ describe("Link", () => {
     link.follow();
     expect(scene.peek().t).toBe(0.75);
     expect(notices.value.map(({ text }) => text)).toEqual([
-      "This link was cut off after “t=0.75”. Ask for it again. Frond shows what is left of it.",
+      "This link seems to be cut off after “t=0.75”. Ask for it again. Frond shows what is left of it.",
     ]);
   });
 

@@ -147,7 +147,7 @@ export class Link {
     const { text: link, cutAfter } = arrived(text);
     const { scene: opened, problem } = this.#codec.decodeScene(link);
     const said = [];
-    if (cutAfter !== null) said.push(`This link was cut off after “${cutAfter}”. Ask for it again.`);
+    if (cutAfter !== null) said.push(`This link seems to be cut off after “${cutAfter}”. Ask for it again.`);
     if (problem) said.push(problem.message);
     if (said.length > 0) {
       // Of a link of a later version, or of a part of one, it shows what it can.

@@ -61,6 +61,9 @@ describe("arrived", () => {
       sent(LINK.replace("b=gasket", "b=dragon-3")),
     );
     expect(arrived(link.replace("0.4,0.7", "0.5,0.7"))).toEqual(sent(LINK.replace("0.4,0.7", "0.5,0.7")));
+    // Shorter than it was, and its end is there.
+    expect(arrived(link.replace("0.1,0.2", "0,0"))).toEqual(sent(LINK.replace("0.1,0.2", "0,0")));
+    expect(arrived(link.replace("&b=gasket", ""))).toEqual(sent(LINK.replace("&b=gasket", "")));
     expect(arrived(`${link}&compare=1`)).toEqual(sent(`${LINK}&compare=1`));
     expect(arrived(`${link}&fbclid=x`).text).toBe(`${LINK}&fbclid=x`);
   });

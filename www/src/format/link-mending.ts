@@ -19,21 +19,24 @@ const WORDS = /name$/;
 
 /** A link that ends within its check word. */
 const BARELY = /^v=\d+&c(?:h|he|hec|heck(?:=[0-9a-z-]*)?)?$/;
-const CHECKED = /^(v=\d+&)check=([0-9a-z]+)-([0-9a-z]+)(?:&|$)/;
+const CHECKED = /^(v=\d+&)check=([0-9a-z]+)-([0-9a-z]{4})([0-9a-z]{3})(?:&|$)/;
+/** The last letters of a link have a word of their own: who shortens one by hand seldom changes its end. */
+const END = 8;
 
-/** A word of four letters for a text: FNV-1a, in base 36. */
-function wordOf(text: string): string {
+/** A word of so many letters for a text: FNV-1a, in base 36. */
+function wordOf(text: string, letters: number): string {
   let hash = 0x811c9dc5;
   for (let i = 0; i < text.length; i++) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
-  return ((hash >>> 0) % 36 ** 4).toString(36).padStart(4, "0");
+  return ((hash >>> 0) % 36 ** letters).toString(36).padStart(letters, "0");
 }
 
-/** A link with its check word: how long the rest is, and a word that only such a rest has. */
+/** A link with its check word: how long the rest is, a word that only such a rest has, and one for its end. */
 export function withCheck(link: string): string {
   const version = /^v=\d+&/.exec(link)?.[0];
   if (!version) return link;
   const rest = link.slice(version.length);
-  return `${version}check=${rest.length.toString(36)}-${wordOf(rest)}&${rest}`;
+  const check = `${rest.length.toString(36)}-${wordOf(rest, 4)}${wordOf(rest.slice(-END), 3)}`;
+  return `${version}check=${check}&${rest}`;
 }
 
 /** Decodes a link that was encoded as a whole: it has no sign of its own. */
@@ -79,13 +82,14 @@ export interface Arrived {
 
 /** Looks at a link by its check word; null where that is for another link. */
 function checked(link: string): Arrived | null {
-  const [all, version, length, word] = CHECKED.exec(link) ?? [];
+  const [all, version, length, word, end] = CHECKED.exec(link) ?? [];
   if (all === undefined || version === undefined || length === undefined) return null;
   const rest = link.slice(all.length);
   const whole = Number.parseInt(length, 36);
-  if (rest.length < whole) return { text: version + rest, cutAfter: rest.slice(-16) };
+  if (rest.length < whole && wordOf(rest.slice(-END), 3) !== end)
+    return { text: version + rest, cutAfter: rest.slice(-16) };
   const [own, added] = [rest.slice(0, whole), rest.slice(whole)];
-  if (wordOf(own) !== word) return null;
+  if (rest.length < whole || wordOf(own, 4) !== word) return null;
   // Somebody may have added a key.
   return { text: version + own + (added.startsWith("&") ? added : ""), cutAfter: null };
 }

@@ -104,7 +104,7 @@ test("a link that is pasted opens as one step to undo, also as a mailer changed 
 test("a link that is cut off or damaged leaves the work as it is", () => {
   paste(`#${withCheck("v=1&a=koch&t=0.25").slice(0, -4)}`);
   expect(said()).toEqual([
-    "The pasted link cannot be opened: it was cut off after “a=koch&t=”. Copy all of it. Your work stays as it is.",
+    "The pasted link cannot be opened: it seems to be cut off after “a=koch&t=”. Copy all of it. Your work stays as it is.",
   ]);
   paste("#v=1&a=nothing");
   expect(said()[1]).toBe(

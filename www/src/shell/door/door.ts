@@ -60,7 +60,7 @@ const takesText = (target: EventTarget | null) => ["typing", "field"].includes(f
 function openLink(sent: string): void {
   const { text, cutAfter } = arrived(sent);
   try {
-    if (cutAfter !== null) throw new Error(`it was cut off after “${cutAfter}”. Copy all of it.`);
+    if (cutAfter !== null) throw new Error(`it seems to be cut off after “${cutAfter}”. Copy all of it.`);
     openDecoded(text, "Opened the pasted link.");
   } catch (problem) {
     const why = `The pasted link cannot be opened: ${wordsOf(problem)}`;
