@@ -92,6 +92,11 @@ fn nested_drawings_and_symbols_have_their_own_boxes() {
         "<symbol id='s' viewBox='0 0 200 200'><circle cx='50%' cy='100' r='40'/></symbol><use href='#s' width='50' height='50'/>",
         [15.0, 15.0, 35.0, 35.0, 100.0 * PI],
     );
+    // A size of the page that is below 0 is none.
+    let (found, _) = read(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='-20' height='-5'><rect width='9' height='4'/></svg>",
+    );
+    assert_eq!(found[0].outline.area(), 36.0);
     // The page itself may be stretched, and has units.
     let (found, _) = read(
         "<svg xmlns='http://www.w3.org/2000/svg' width='2in' height='48pt' viewBox='0 0 10 10' preserveAspectRatio='none'><path d='M1 1H9V9H1Z'/></svg>",

@@ -4,9 +4,7 @@
 //! refuses what would grow without end, [`styles`] writes out the properties that usvg does not look for in style
 //! sheets, [`visible`] lists what is shown, [`region`] cuts it by clip paths and masks, [`flatten`] makes lines of it.
 
-mod edit;
 mod flatten;
-mod left_out;
 mod limits;
 mod paths;
 mod region;
@@ -21,10 +19,9 @@ use std::collections::BTreeMap;
 use kurbo::Rect;
 
 use self::flatten::flatten;
-use self::left_out::LeftOut;
 use self::visible::{Shape, Visible};
 use super::content::FileContent;
-use super::problem::{ReadError, Remark};
+use super::problem::{LeftOut, ReadError, Remark};
 use super::text::short;
 
 /// Reads the shapes of an SVG as a browser shows them: transformed, used again, clipped, and without what is hidden.

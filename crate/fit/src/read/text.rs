@@ -136,6 +136,27 @@ pub fn short(text: &str, most: usize) -> String {
     kept
 }
 
+/// A place in a text, in bytes, and what is to stand there.
+#[cfg(feature = "svg")]
+pub type Edit = (std::ops::Range<usize>, String);
+
+/// The text with all changes; of two that overlap the later one is passed over.
+#[cfg(feature = "svg")]
+pub fn edited(text: &str, mut edits: Vec<Edit>) -> String {
+    edits.sort_by_key(|(range, _)| (range.start, range.end));
+    let mut written = String::with_capacity(text.len() + 64 * edits.len());
+    let mut at = 0;
+    for (range, new) in edits {
+        if range.start >= at && range.end <= text.len() {
+            written.push_str(&text[at..range.start]);
+            written.push_str(&new);
+            at = range.end;
+        }
+    }
+    written.push_str(&text[at..]);
+    written
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -7,9 +7,8 @@ use std::rc::Rc;
 use roxmltree::{Attribute, Document, Node, NodeId};
 use svgtypes::{PathParser, PathSegment, PointsParser};
 
-use super::super::problem::ReadError;
-use super::edit::{Edit, edited};
-use super::left_out::LeftOut;
+use super::super::problem::{LeftOut, ReadError};
+use super::super::text::{Edit, edited};
 
 /// Elements of a file.
 pub const MAX_ELEMENTS: usize = 32_000;
@@ -139,6 +138,13 @@ pub fn check(document: &Document<'_>, left_out: &mut LeftOut) -> Result<Vec<Edit
         }
         for attribute in node.attributes() {
             let is_path = attribute.name() == "d";
+            // A size below 0 says nothing: browsers go on as if it were not there.
+            let is_below =
+                matches!(attribute.name(), "width" | "height") && attribute.value().trim().starts_with('-');
+            if is_below && node == document.root_element() {
+                edits.push((attribute.range(), String::new()));
+                continue;
+            }
             if NUMBERS.contains(&attribute.name()) && is_beyond(attribute.value())
                 || is_path && is_endless(attribute.value())
             {

@@ -8,7 +8,7 @@ use i_overlay::float::single::SingleFloatOverlay;
 use kurbo::{Affine, PathEl, Rect};
 use usvg::{ClipPath, Group, Mask, MaskType, Node, Paint};
 
-use super::left_out::LeftOut;
+use super::super::problem::LeftOut;
 use super::paths::{FLATNESS, affine, around, elements};
 use crate::outline::crossings;
 

@@ -6,10 +6,8 @@ use std::sync::Arc;
 use roxmltree::{Document, Error, ParsingOptions};
 use usvg::{ImageKind, Options, Tree};
 
-use super::super::problem::ReadError;
-use super::super::text::short;
-use super::edit::edited;
-use super::left_out::LeftOut;
+use super::super::problem::{LeftOut, ReadError};
+use super::super::text::{edited, short};
 use super::limits;
 
 /// Prefixes that are declared for a drawing which uses them undeclared, as parts cut out of a page do.

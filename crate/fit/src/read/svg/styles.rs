@@ -9,9 +9,8 @@ use kurbo::{Affine, Rect};
 use roxmltree::{Attribute, Document, Node, NodeId};
 use simplecss::{AttributeOperator, Declaration, DeclarationTokenizer, PseudoClass, Rule, StyleSheet};
 
-use super::super::problem::ReadError;
-use super::edit::{Edit, edited};
-use super::left_out::LeftOut;
+use super::super::problem::{LeftOut, ReadError};
+use super::super::text::{Edit, edited};
 use super::source;
 use super::transforms::{length, origin, property, transform};
 

@@ -7,8 +7,7 @@ use i_overlay::core::overlay_rule::OverlayRule;
 use kurbo::{Affine, Rect};
 use usvg::{Group, ImageKind, Node, Tree};
 
-use super::super::problem::ReadError;
-use super::left_out::LeftOut;
+use super::super::problem::{LeftOut, ReadError};
 use super::paths::{FLATNESS, affine, around};
 use super::region::{Cutter, Region, bounds, frame, rule};
 use super::source;
