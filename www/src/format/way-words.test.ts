@@ -1,48 +1,54 @@
 import { describe, expect, it } from "vitest";
 import type { MapRow } from "#wasm/api";
-import { offerWords, triedWords, turnedWords } from "./way-words";
+import { offerWords, triedWords } from "./way-words";
 
 const holds = { holds: true, gap: 0 };
 
 describe("offerWords", () => {
-  it("says what a way is worth before it says why", () => {
-    const words = offerWords({ kind: "joints", about: "All joints stay joined." }, holds, 0.08);
+  it("says what a way would do before it says why", () => {
+    const words = offerWords({ kind: "joints", about: "All joints stay joined." }, holds, 0.08, "Gasket");
     expect(words).toEqual({
-      what: "Joint by joint it holds together all the way, but for rounding.",
+      what: "Matching joint by joint keeps the morph in one piece, up to rounding.",
       why: "All joints stay joined.",
     });
-    expect(offerWords({ kind: "correspondence", about: "" }, holds, 0.08).what).toBe(
-      "Matched otherwise it holds together.",
+    expect(offerWords({ kind: "correspondence", about: "" }, holds, 0.08, "Gasket").what).toBe(
+      "Matching the maps differently keeps the morph in one piece.",
     );
-    expect(offerWords(null, holds, 0.08).what).toBe("With a third parameter it holds together.");
+    expect(offerWords(null, holds, 0.08, "Gasket").what).toBe(
+      "A third parameter keeps the morph in one piece.",
+    );
   });
 
   it("does not say of a narrower gap that it holds", () => {
-    const words = offerWords({ kind: "place", about: "" }, { holds: false, gap: 0.004 }, 0.046);
-    expect(words.what).toBe("Another way breaks less: 0.4%, not 4.6%.");
-    expect(offerWords(null, { holds: false, gap: 0.004 }, 0.046).what).not.toContain("holds");
+    const words = offerWords({ kind: "place", about: "" }, { holds: false, gap: 0.004 }, 0.046, "Gasket");
+    expect(words.what).toBe("Another path has a narrower gap: 0.4%, not 4.6%.");
+    expect(offerWords(null, { holds: false, gap: 0.004 }, 0.046, "Gasket").what).not.toContain("one piece");
   });
-});
 
-describe("turnedWords", () => {
-  it("says of a shape that it does not stand as it was chosen", () => {
-    const place = (turn: number, scale = 1) => {
+  it("says of a shape that it would not stand as it was chosen", () => {
+    const what = (kind: "place" | "mirror", turn: number, scale = 1) => {
       const [x, y] = [scale * Math.cos((turn * Math.PI) / 180), scale * Math.sin((turn * Math.PI) / 180)];
-      return { place: [x, -y, y, x, 3, 4] as MapRow };
+      const place: MapRow = [x, -y, y, x, 3, 4];
+      return offerWords({ kind, about: "", place }, holds, 0.08, "Koch curve").what;
     };
-    expect(turnedWords("Koch curve", place(180, 0.8))).toBe(" Koch curve is turned by 180° for it.");
-    expect(turnedWords("Koch curve", place(-30))).toBe(" Koch curve is turned by 30° for it.");
-    expect([place(0, 2), place(-1), {}].map((way) => turnedWords("Koch curve", way))).toEqual(["", "", ""]);
+    expect(what("place", -30)).toBe("Rotating Koch curve by 30° keeps the morph in one piece.");
+    expect(what("place", -1)).toBe("Moving Koch curve keeps the morph in one piece.");
+    expect(what("mirror", 180, 0.8)).toBe(
+      "Morphing to the mirror image and rotating Koch curve by 180° keeps the morph in one piece.",
+    );
+    expect(what("mirror", 0, 2)).toBe("Morphing to the mirror image keeps the morph in one piece.");
   });
 });
 
 describe("triedWords", () => {
   const so = { done: 120, of: 120, problem: null, best: null };
   it("counts what was tried", () => {
-    expect(triedWords(so)).toBe("120 other ways were tried: none of them holds, or breaks less.");
-    expect(triedWords({ ...so, best: {} })).toBe("120 other ways were tried: none of them holds.");
+    expect(triedWords(so)).toBe(
+      "Frond tried 120 other paths: none stays in one piece, or has a narrower gap.",
+    );
+    expect(triedWords({ ...so, best: {} })).toBe("Frond tried 120 other paths: none stays in one piece.");
     expect(triedWords({ ...so, done: 30 })).toContain("30 of 120");
-    expect(triedWords({ ...so, done: 0, of: 0 })).toBe("No other way was tried.");
+    expect(triedWords({ ...so, done: 0, of: 0 })).toBe("Frond tried no other path.");
     expect(triedWords({ ...so, problem: "No memory." })).toContain("No memory.");
   });
 });

@@ -3,38 +3,43 @@ import { decompose } from "#geometry/maps/affine2";
 import type { PathPlan, Route } from "#wasm/api";
 import { shareWords } from "./verdict";
 
-/** What a way that was found is worth, and why. Null is the present one, with the third parameter. */
+/** What another way would do with shape `b`, in one line, and why. Null is the present one, with the third parameter. */
 export function offerWords(
-  way: Pick<Route, "kind" | "about"> | null,
+  way: Pick<Route, "kind" | "about" | "place"> | null,
   plan: Pick<PathPlan, "holds" | "gap">,
   gap: number,
+  b: string,
 ): { what: string; why: string } {
   const why = way === null ? "The stretch then runs ahead of the turn, or behind it." : way.about;
   if (!plan.holds)
-    return { what: `Another way breaks less: ${shareWords(plan.gap)}, not ${shareWords(gap)}.`, why };
+    return { what: `Another path has a narrower gap: ${shareWords(plan.gap)}, not ${shareWords(gap)}.`, why };
   // Joints of doubles meet within some 1e-15 of the diameter, and no bound says that they do exactly.
-  if (way?.kind === "joints")
-    return { what: "Joint by joint it holds together all the way, but for rounding.", why };
-  if (way === null) return { what: "With a third parameter it holds together.", why };
-  return { what: `${NAMES[way.kind] ?? "Another way"} it holds together.`, why };
+  const but = way?.kind === "joints" ? ", up to rounding" : "";
+  return { what: `${doing(way, b)} keeps the morph in one piece${but}.`, why };
 }
 
 /** Degrees that nobody sees. */
 const UNSEEN = 2;
 
-/** That the last shape does not stand as it was chosen, where a way had to lay it otherwise; empty where it stays. */
-export function turnedWords(name: string, { place }: Pick<Route, "place">): string {
-  const turn = place ? Math.abs(decompose(place).turn) : 0;
-  return turn < UNSEEN ? "" : ` ${name} is turned by ${Math.round(turn)}° for it.`;
+/** What is done on a way. */
+function doing(way: Pick<Route, "kind" | "place"> | null, b: string): string {
+  if (way === null) return "A third parameter";
+  const turn = way.place ? Math.round(Math.abs(decompose(way.place).turn)) : 0;
+  const turned = turn < UNSEEN ? null : `rotating ${b} by ${turn}°`;
+  if (way.kind === "place") return turned ? upper(turned) : `Moving ${b}`;
+  const first = DOING[way.kind] ?? "Another path";
+  return turned ? `${first} and ${turned}` : first;
 }
 
-const NAMES: Partial<Record<Route["kind"], string>> = {
-  correspondence: "Matched otherwise",
-  place: "With shape B laid elsewhere",
-  symmetry: "Through a symmetry",
-  mirror: "Towards the mirror image",
-  refine: "With its pieces split otherwise",
-  double: "With another piece counted twice",
+const upper = (words: string) => words.charAt(0).toUpperCase() + words.slice(1);
+
+const DOING: Partial<Record<Route["kind"], string>> = {
+  joints: "Matching joint by joint",
+  correspondence: "Matching the maps differently",
+  symmetry: "Using a symmetry of the shape",
+  mirror: "Morphing to the mirror image",
+  refine: "Splitting the pieces differently",
+  double: "Counting another piece twice",
 };
 
 /** What was tried where nothing holds. */
@@ -49,9 +54,9 @@ export function triedWords({
   problem: string | null;
   best: unknown;
 }): string {
-  if (problem !== null) return `Other ways could not be looked for: ${problem}`;
-  if (done === 0) return "No other way was tried.";
-  const all =
-    of !== null && done < of ? `${done} of ${of} other ways were tried` : `${done} other ways were tried`;
-  return best ? `${all}: none of them holds.` : `${all}: none of them holds, or breaks less.`;
+  if (problem !== null) return `Frond could not look for other paths: ${problem}`;
+  if (done === 0) return "Frond tried no other path.";
+  const all = of !== null && done < of ? `${done} of ${of} other paths` : `${done} other paths`;
+  const none = `Frond tried ${all}: none stays in one piece`;
+  return best ? `${none}.` : `${none}, or has a narrower gap.`;
 }

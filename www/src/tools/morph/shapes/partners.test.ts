@@ -25,7 +25,7 @@ describe("partners", () => {
   });
 
   it("are told in words", () => {
-    expect(bondWords("plain", "Fern")).toBe("Holds with Fern");
-    expect(bondWords("other", "Fern")).toContain("another way");
+    expect(bondWords("plain", "Fern")).toBe("Stays in one piece with Fern");
+    expect(bondWords("other", "Fern")).toContain("look for the pairing");
   });
 });

@@ -5,7 +5,7 @@
  */
 import table from "./partners.txt?raw";
 
-/** How they come together: as they are, or by another way, which is taken once it is found. */
+/** How they come together: as they are, or by another way, which is offered once it is found. */
 export type Bond = "plain" | "other";
 
 const BONDS: Record<string, Bond> = { "=": "plain", "+": "other" };
@@ -25,4 +25,6 @@ export function partnersOf(id: string, rows: string = table): Map<string, Bond> 
 
 /** What is said of a shape that is chosen to come together with another. */
 export const bondWords = (bond: Bond, other: string): string =>
-  bond === "plain" ? `Holds with ${other}` : `Holds with ${other} by another way, which is looked for then`;
+  bond === "plain"
+    ? `Stays in one piece with ${other}`
+    : `Can stay in one piece with ${other}; Frond will look for the pairing`;

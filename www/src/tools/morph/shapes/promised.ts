@@ -1,4 +1,4 @@
-/** A pair that the gallery says holds by another way: that way is taken as soon as it is found. */
+/** A pair that the gallery says holds by another way: that way is offered as soon as it is found. */
 import { effect, signal } from "@preact/signals";
 import { along, plan, publish } from "#compute/results";
 import { scene } from "#document/scene";
@@ -24,7 +24,7 @@ export function isPromised(now: Scene): boolean {
   return plain && promised.value !== null && promised.value === idsOf(now);
 }
 
-/** It is kept once: who undoes it wants the way that was there. */
+/** It was offered, once. */
 export function kept(): void {
   promised.value = null;
 }

@@ -1,9 +1,9 @@
 import { useEffect } from "preact/hooks";
 import { wayOf } from "#compute/plan";
 import { endBroken, type Offer, otherWays, type Search, stopLooking } from "#compute/ways";
-import { announce, notify } from "#document/notice";
+import { notify } from "#document/notice";
 import { edit, scene, undo } from "#document/scene";
-import { offerWords, triedWords, turnedWords } from "#format/way-words";
+import { offerWords, triedWords } from "#format/way-words";
 import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
 import { isPromised, kept } from "../../shapes/promised";
@@ -19,14 +19,16 @@ export function OtherWays() {
     if (over && !best?.plan.holds) kept();
     if (!best?.plan.holds) return;
     kept();
-    const { what } = offerWords(best.way, best.plan, 0);
-    const text = best.way ? `${what}${turnedWords(scene.peek().b.name, best.way)}` : what;
-    take(best, text);
-    notify({ kind: "info", text, action: { label: "Undo", run: undo } });
+    // The shapes are as somebody has just chosen them: what would change them is offered.
+    notify({
+      kind: "info",
+      text: wordsOf(best).what,
+      action: { label: "Use it", run: () => take(best) },
+    });
   }, [best, over]);
   if (endBroken.value)
     return (
-      <p class="hint">One of the two shapes is itself in pieces, so that no way can hold from end to end.</p>
+      <p class="hint">One of the two shapes is in pieces, so no path stays in one piece from end to end.</p>
     );
   if (found === null) return null;
   return (
@@ -38,20 +40,23 @@ export function OtherWays() {
   );
 }
 
-function take({ way, plan }: Offer, words: string): void {
-  edit((before) => takeWay(before, way, wayOf(plan)));
-  announce(words);
+const wordsOf = ({ way, plan }: Offer, gap = 0) => offerWords(way, plan, gap, scene.peek().b.name);
+
+function take(offer: Offer): void {
+  const { what } = wordsOf(offer, otherWays.peek()?.gap);
+  edit((before) => takeWay(before, offer.way, wayOf(offer.plan)));
+  notify({ kind: "info", text: `Done: ${what}`, action: { label: "Undo", run: undo } });
 }
 
 function Progress({ search: { of, done } }: { search: Search }) {
   return (
     <div class={pathCss["path-proof-bar"]}>
       <progress
-        aria-label="Other ways, being tried"
+        aria-label="Trying other paths"
         {...(of === null ? {} : { max: Math.max(of, 1), value: done })}
       />
       <span class="hint">
-        {of === null ? "Looking for other ways …" : `Trying other ways: ${done} of ${of}`}
+        {of === null ? "Looking for other paths …" : `Trying other paths: ${done} of ${of}`}
       </span>
       <Button kind="quiet" onClick={stopLooking}>
         Stop
@@ -61,7 +66,7 @@ function Progress({ search: { of, done } }: { search: Search }) {
 }
 
 function Found({ offer, gap }: { offer: Offer; gap: number }) {
-  const words = offerWords(offer.way, offer.plan, gap);
+  const words = wordsOf(offer, gap);
   return (
     <div class={pathCss["path-offer"]} role="status">
       <div>
@@ -71,7 +76,7 @@ function Found({ offer, gap }: { offer: Offer; gap: number }) {
           <p>{words.why}</p>
         </details>
       </div>
-      <Button description="One step, which can be undone" onClick={() => take(offer, words.what)}>
+      <Button description="One step, which can be undone" onClick={() => take(offer)}>
         Use it
       </Button>
     </div>
