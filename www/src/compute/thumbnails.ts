@@ -1,7 +1,7 @@
 /** Small pictures of the gallery and of both ends. */
 import { computed, effect, untracked } from "@preact/signals";
-import { pieceColours } from "#document/colours";
-import { morphOptions, pairing, selection } from "#document/morph";
+import { pieceColours, ranked } from "#document/colours";
+import { morphOptions, pairing, ranks, selection } from "#document/morph";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import { sameMaps } from "#geometry/maps/same-maps";
@@ -33,8 +33,10 @@ export function scheduleThumbnails(): void {
   for (const end of ["a", "b"] as const) {
     const own = computed(() => scene.value[end].maps);
     const shown = computed(() => onStage(end, own.value));
+    const edited = computed(() => selection.value?.target === end);
     effect(() => {
       const maps = shown.value;
+      if (edited.value) ranks[end].value;
       dark.value;
       epoch.value;
       untracked(() => wantEnd(end, maps));
@@ -70,7 +72,6 @@ export function thumbnailsOf(shapes: readonly { id: string; maps: MapRow[] }[]):
 
 /** Maps of an end in the order of the morph's, so that each has the colour that it has on the stage. */
 function onStage(end: "a" | "b", own: MapRow[]): MapRow[] {
-  // Whoever edits them sees them by themselves.
   if (selection.value?.target === end) return own;
   const { from, to } = pairing.value;
   const { correspondence } = morphOptions.value;
@@ -99,15 +100,19 @@ function wantEnd(end: "a" | "b", maps: MapRow[]): void {
     if (left.delete(end)) publish.thumbnails.value = left;
   }
   names[end] = name;
-  want(end, maps, pieceColours(theme()));
+  const colours = pieceColours(theme());
+  // Whoever edits maps sees them by themselves, each in the colour that it has in the morph.
+  want(end, maps, selection.peek()?.target === end ? ranked(colours, ranks[end].peek()) : colours);
 }
+
+const sameColours = (p: readonly string[], q: readonly string[]) => p === q || p.join() === q.join();
 
 const theme = () => (dark.peek() ? "dark" : "light");
 
 function want(id: string, maps: MapRow[], colours = palette(theme())): void {
   const before = wanted.get(id);
   // A link that is followed brings both ends anew, though mostly one of them is as it was.
-  if (before?.colours === colours && sameMaps(before.maps, maps)) return;
+  if (before && sameColours(before.colours, colours) && sameMaps(before.maps, maps)) return;
   wanted.set(id, { maps, colours });
   todo.add(id);
   queue.request(job);

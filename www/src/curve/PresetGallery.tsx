@@ -23,6 +23,8 @@ interface PresetGalleryProps {
   onClose: () => void;
   /** Why shapes of maps do not go with what is there: then outlines come first. */
   apart?: string | null;
+  /** What comes first. */
+  first?: ComponentChildren;
   /** What else there is to choose. */
   more?: ComponentChildren;
 }
@@ -38,6 +40,7 @@ export function PresetGallery({
   onDirected,
   onClose,
   apart = null,
+  first,
   more,
 }: PresetGalleryProps) {
   const take = (shape: Shape) => {
@@ -47,6 +50,7 @@ export function PresetGallery({
   const outlines = <Shelf end={end} onChosen={onClose} />;
   return (
     <Dialog wide title={title} about={about} onClose={onClose}>
+      {first}
       {apart !== null && (
         <>
           {outlines}

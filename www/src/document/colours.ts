@@ -8,6 +8,12 @@ export function pieceColours(theme: "light" | "dark"): string[] {
   return ownColours(scene.value) ?? palette(theme);
 }
 
+/** The colours of maps that have other places in a morph; the very same list where none has. */
+export function ranked(colours: string[], ranks: readonly number[]): string[] {
+  if (ranks.every((rank, i) => rank === i)) return colours;
+  return ranks.map((rank) => colours[rank % colours.length] ?? "");
+}
+
 /** Those of the document; null where it has none. Closed curves have arcs in place of maps. */
 export function ownColours({ palette: own, curves }: Scene): string[] | null {
   return own && own.length > 0 && !curves ? own : null;

@@ -3,9 +3,10 @@ import { computed, type ReadonlySignal } from "@preact/signals";
 import { type Box, calmTrack, stillTrack, type Track, UNIT, union } from "#geometry/boxes";
 import { uvAt } from "#geometry/path";
 import type { Deformation, MapRow } from "#wasm/api";
-import { frond } from "#wasm/core";
+import { boxOf } from "./bounds";
 import { curveBoxAt, curveMorph } from "./curve/curve";
 import { aspect, mapsOfRectangle } from "./deform/photograph";
+import { editFrame } from "./edit-frame";
 import {
   held,
   locusView,
@@ -22,20 +23,10 @@ import { directedBoxAt, standIn } from "./stand-in";
 import { type Taken, takenOf } from "./whole";
 
 export { type Box, diagonal } from "#geometry/boxes";
+export { boxOf } from "./bounds";
 
 /** How often the path is looked at. */
 const LOOKS = 13;
-
-/** The box of an attractor, or null where there is none. */
-export function boxOf(maps: MapRow[]): Box | null {
-  try {
-    const { min, max } = frond.bounds({ maps });
-    const box = { x0: min[0], y0: min[1], x1: max[0], y1: max[1] };
-    return Object.values(box).every(Number.isFinite) ? box : null;
-  } catch {
-    return null;
-  }
-}
 
 /** The box at a moment of what stands in place of the systems; null where nothing does. */
 const standInBoxAt = computed(() => {
@@ -154,16 +145,9 @@ export const stageTrack: ReadonlySignal<Track> = computed(() => {
   if (bent) return stillTrack(bent, LOOKS);
   const editing = selection.value;
   if (editing?.whole) return stillTrack(takenTrack(takenOf(scene.value[editing.target])), LOOKS);
-  if (editing) return stillTrack(editBox(shown.value), LOOKS);
+  if (editing) return stillTrack(editFrame.value?.seen ?? pairBox.value, LOOKS);
   return elsewhere.value ? stillTrack(boxOf(shown.value) ?? pairBox.value, LOOKS) : pathTrack.value;
 });
-
-/** A shape with the parallelograms of its maps, so that no handle is out of reach. */
-function editBox(maps: MapRow[]): Box {
-  const box = boxOf(maps);
-  if (!box) return pairBox.value;
-  return union([box, ...maps.map((map) => imageOf(box, map))]);
-}
 
 /** The box around the image of a box. */
 function imageOf(box: Box, [a, b, c, d, e, f]: MapRow): Box {

@@ -1,5 +1,6 @@
 /** What follows from the document for the morph: the pair, the path, the present moment, and the maps there. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import { sameMaps } from "#geometry/maps/same-maps";
 import { pointsOf, type Uv, uvAt } from "#geometry/path";
 import type { Ifs, LocusView, MapRow, MorphOptions, Pairing } from "#wasm/api";
 import { frond } from "#wasm/core";
@@ -43,6 +44,39 @@ export const pairing: ReadonlySignal<Pairing> = computed(() => {
   return lastPairing;
 });
 
+/**
+ * The place of each of an end's own maps among `paired`, the maps that it has in the morph: its colour goes by it, on
+ * the stage as everywhere. In their own order where they are not what is paired: pieces that were split have no map.
+ */
+export function ranksIn(
+  own: readonly MapRow[],
+  paired: readonly MapRow[],
+  order?: readonly number[],
+): number[] {
+  const shown = order?.map((index) => paired[index]) ?? paired;
+  const covered = new Set<number>();
+  const ranks: number[] = [];
+  for (const map of own) {
+    // Of a map that was doubled all places are its own.
+    const places = shown.flatMap((other, i) => (other && sameMaps([map], [other]) ? [i] : []));
+    for (const place of places) covered.add(place);
+    ranks.push(places.find((i) => !ranks.includes(i)) ?? places[0] ?? -1);
+  }
+  return ranks.includes(-1) || covered.size < shown.length ? own.map((_, i) => i) : ranks;
+}
+
+/** The same list for as long as it says the same. */
+function ranksOf(end: "a" | "b"): ReadonlySignal<readonly number[]> {
+  let last: number[] = [];
+  return computed(() => {
+    const { from, to } = pairing.value;
+    const { correspondence } = morphOptions.value;
+    const next = end === "a" ? ranksIn(a.value, from) : ranksIn(b.value, to, correspondence);
+    if (next.join() !== last.join()) last = next;
+    return last;
+  });
+}
+
 /** Everything besides (u, v) that the morph hangs on. Lists of the wrong length count as the default. */
 export const morphOptions: ReadonlySignal<MorphOptions> = computed(() => {
   const count = pairing.value.from.length;
@@ -51,6 +85,8 @@ export const morphOptions: ReadonlySignal<MorphOptions> = computed(() => {
   if (turns.value.length === count) options.turns = turns.value;
   return options;
 });
+
+export const ranks = { a: ranksOf("a"), b: ranksOf("b") };
 
 /** For each map that turns by half a turn, the whole turns that make it the other half turn; 0 for all others. */
 export const halfTurns: ReadonlySignal<number[]> = computed(() => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { parseNumber } from "./formula";
-import { addStep, fixed, formatNumber, keyStep, plainNumber, rangeProblem } from "./numbers";
+import { addStep, digitsApart, fixed, formatNumber, keyStep, plainNumber, rangeProblem } from "./numbers";
 
 describe("plainNumber", () => {
   it("reads digits just as formulas do, and nothing else", () => {
@@ -85,4 +85,14 @@ describe("rangeProblem", () => {
     expect(rangeProblem(1.01, 0, 1)).toMatch(/most 1/);
     expect(rangeProblem(-0.01, 0, 1)).toMatch(/least 0/);
   });
+});
+
+it("shows as many digits as numbers need to be told apart", () => {
+  expect(digitsApart([0.5, 0.5002], 4)).toBe(4);
+  expect(digitsApart([0.5, 0.50002], 4)).toBe(5);
+  expect(digitsApart([0.5, 0.5, 0.5], 4)).toBe(4);
+  // What only rounding tells apart is not.
+  expect(digitsApart([0.1 + 0.2, 0.3], 4)).toBe(4);
+  expect(digitsApart([Number.NaN, 1.21, 1.24], 1)).toBe(2);
+  expect(digitsApart([], 3)).toBe(3);
 });

@@ -32,6 +32,18 @@ export function formatNumber(value: number, digits = 4): string {
   return text.replace("-", "−");
 }
 
+/** Numbers that differ beyond these decimals differ by rounding. */
+const MOST_DIGITS = 9;
+
+/** So many decimals, at least `least`, that numbers which differ are seen to differ. */
+export function digitsApart(values: readonly number[], least: number): number {
+  const seen = (digits: number) => new Set(values.map((value) => formatNumber(value, digits))).size;
+  const different = seen(MOST_DIGITS);
+  let digits = least;
+  while (digits < MOST_DIGITS && seen(digits) < different) digits++;
+  return digits;
+}
+
 /** A fixed number of decimals, so that a readout does not dance while it changes. */
 export function fixed(value: number, digits = 2): string {
   if (!Number.isFinite(value)) return "–";

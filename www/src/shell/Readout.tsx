@@ -1,4 +1,5 @@
 import { computed } from "@preact/signals";
+import { outOfView } from "#document/edit-frame";
 import { here, locusView, selection } from "#document/morph";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
@@ -36,6 +37,7 @@ export function Readout() {
       {picture.value.points > 0 && (
         <span class="readout-points">{countWords(picture.value.points)} points</span>
       )}
+      {outOfView.value && view.value === null && <span>part is out of view</span>}
       {!workers.value.available && <span>no workers</span>}
       <span data-testid="zoom">{zoomWords.value}</span>
       <button
@@ -43,7 +45,7 @@ export function Readout() {
         class="button quiet icon-button"
         aria-label="Fit to the stage"
         title={withKey("Fit to the stage", "fit")}
-        disabled={view.value === null}
+        disabled={view.value === null && !outOfView.value}
         onClick={fitStage}
       >
         <Glyph name="fit" />

@@ -1,4 +1,5 @@
 /** Hands and keys on the picture: they move and enlarge the view. */
+import { refitEdited } from "#document/edit-frame";
 import { panned, type Screen, screen, zoomed } from "#geometry/coordinates";
 import { attachPanZoom, type PanZoom, panZoomKey } from "#ui/panZoom";
 import { effectiveView, fitView, stageSize, view } from "./view";
@@ -26,6 +27,7 @@ export function zoomBy(factor: number, about?: Screen): void {
 }
 
 export function fitStage(): void {
+  refitEdited();
   view.value = null;
   keepView();
 }

@@ -1,5 +1,6 @@
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
-import { pieceColours } from "#document/colours";
+import { pieceColours, ranked } from "#document/colours";
+import { ranks, selection } from "#document/morph";
 import { ownWeights } from "#document/own-weights";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
@@ -7,7 +8,12 @@ import type { RenderStyle } from "#wasm/core";
 
 const colouring = computed(() => scene.value.colouring);
 
-const colours = computed(() => pieceColours(dark.value ? "dark" : "light"));
+const colours = computed(() => {
+  const all = pieceColours(dark.value ? "dark" : "light");
+  const editing = selection.value;
+  // A shape that is edited has its maps in their own order, and each of them the colour that it has in the morph.
+  return editing ? ranked(all, ranks[editing.target].value) : all;
+});
 
 /** How the stage is coloured: the same object while only the moment changes. */
 export const stageStyle: ReadonlySignal<RenderStyle> = computed(() => ({

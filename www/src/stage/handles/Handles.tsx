@@ -1,7 +1,9 @@
 /** The maps of a shape, or the whole of it, drawn over the picture to be dragged. */
-import { computed, signal, useSignalEffect } from "@preact/signals";
+import { computed } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { type Box, boxOf, boxOfTaken } from "#document/framing";
+import { useLayoutEffect } from "preact/hooks";
+import { carryFrame, editFrame } from "#document/edit-frame";
+import { type Box, boxOfTaken } from "#document/framing";
 import { selection } from "#document/morph";
 import { edit, inGesture, scene } from "#document/scene";
 import { placeShape, STILL, takenOf } from "#document/whole";
@@ -12,13 +14,17 @@ import type { Shape } from "#wasm/api";
 import { stageStyle } from "../picture-style";
 import { stageSize } from "../view";
 import { apart } from "./apart";
+import { FrameGrips, frameShown } from "./frame-grips";
 import { type Held, rest } from "./held";
-import { middleSeen, Outline, Parallelogram, place, Resting, TAG, Tag } from "./Parallelogram";
+import { Grips, middleSeen, Outline, Parallelogram, place, Resting, TAG, Tag } from "./Parallelogram";
 
 const shape = computed<Shape | null>(() => {
   const target = selection.value?.target;
   return target ? scene.value[target] : null;
 });
+
+/** The box whose images are shown. */
+const frame = (): Box => editFrame.value?.box ?? UNIT;
 
 /** What is edited, by its handles. */
 export function Handles() {
@@ -39,21 +45,21 @@ function Overlay({ title, box, children }: { title: string; box: Box; children: 
   );
 }
 
-/** The box whose images are shown. It stands still while a map is dragged, although the attractor changes. */
-const frame = signal<Box>(UNIT);
-
 /** Each map is a parallelogram: the image of the box of the whole. */
 function Maps() {
   const maps = shape.value?.maps;
-  useSignalEffect(() => {
-    const now = shape.value?.maps;
-    if (now && !inGesture.value) frame.value = boxOf(now) ?? frame.peek();
-  });
   const chosen = selection.value;
+  const focused = document.activeElement?.closest(".overlay") != null;
+  useLayoutEffect(() => {
+    // A map that had the focus was removed: keys go on with the one that is chosen now.
+    if (focused && document.activeElement === document.body) chosenBody()?.focus();
+  });
   if (!maps || !chosen) return null;
   // The chosen one last, so that it lies on top.
   const order = maps.map((_, i) => i).sort((p, q) => Number(p === chosen.map) - Number(q === chosen.map));
   const { palette } = stageStyle.value;
+  const colourOf = (map: number) => palette[map % palette.length] ?? "currentColor";
+  const taken = chosen.map === null ? undefined : maps[chosen.map];
   const choose = (map: number) => () => {
     const now = selection.peek();
     if (now) selection.value = { ...now, map };
@@ -63,7 +69,7 @@ function Maps() {
     2 * TAG,
   );
   return (
-    <Overlay title="Maps of the shape as parallelograms" box={frame.value}>
+    <Overlay title="Maps of the shape as parallelograms" box={frame()}>
       {order.map((i) => {
         const map = maps[i];
         if (!map) return null;
@@ -72,16 +78,20 @@ function Maps() {
             key={i}
             held={heldMap(i)}
             map={map}
-            colour={palette[i % palette.length] ?? "currentColor"}
+            colour={colourOf(i)}
             chosen={i === chosen.map}
             choose={choose(i)}
           />
         );
       })}
-      {/* Above all bodies and handles: what is seen on top is what is taken hold of. */}
+      {/* Above all bodies: what is seen on top is what is taken hold of. */}
       {tags.map((at, i) => (
         <Tag key={`tag ${i + 1}`} held={heldMap(i)} mark={`${i + 1}`} at={at} choose={choose(i)} />
       ))}
+      {chosen.map !== null && taken && (
+        <Grips key={chosen.map} held={heldMap(chosen.map)} map={taken} colour={colourOf(chosen.map)} />
+      )}
+      {frameShown.value && <FrameGrips />}
     </Overlay>
   );
 }
@@ -90,8 +100,8 @@ const heldMap = (index: number): Held => ({
   name: `Map ${index + 1}`,
   id: `${index}`,
   map: () => shape.peek()?.maps[index] ?? null,
-  box: () => frame.value,
-  rests: () => restsOf(shape.peek()?.maps ?? [], index, frame.peek()),
+  box: frame,
+  rests: () => restsOf(shape.peek()?.maps ?? [], index, frame()),
   change(to, gesture) {
     const target = selection.peek()?.target;
     if (!target) return;
@@ -99,7 +109,8 @@ const heldMap = (index: number): Held => ({
       (before) => {
         const map = before[target].maps[index];
         if (!map) return before;
-        const maps = before[target].maps.with(index, to(map));
+        const { maps: old } = before[target];
+        const maps = carryFrame(old, old.with(index, to(map)));
         // Touched maps are no preset any more.
         return { ...before, [target]: { name: before[target].name, maps } };
       },
@@ -107,6 +118,8 @@ const heldMap = (index: number): Held => ({
     );
   },
 });
+
+const chosenBody = () => document.querySelector<SVGElement>(".overlay .chosen [role=button]");
 
 /** The shape as it was taken in hand, and all that was done to it since. */
 const taken = computed(() => (shape.value ? takenOf(shape.value) : null));
@@ -118,6 +131,7 @@ function Whole() {
   return (
     <Overlay title="The shape in its box" box={takenBox.value}>
       <Parallelogram held={WHOLE} map={moved} colour="var(--accent)" chosen />
+      <Grips held={WHOLE} map={moved} colour="var(--accent)" />
     </Overlay>
   );
 }

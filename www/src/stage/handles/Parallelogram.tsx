@@ -32,13 +32,12 @@ interface ParallelogramProps {
   held: Held;
   map: MapRow;
   colour: string;
-  /** Its handles are shown. */
   chosen: boolean;
   /** Where there are several: chooses this one. */
   choose?: () => void;
 }
 
-/** What is held, with its handles. */
+/** What is held. */
 export function Parallelogram({ held, map, colour, chosen, choose }: ParallelogramProps) {
   const corners = cornersOf(map, held.box());
   return (
@@ -56,8 +55,19 @@ export function Parallelogram({ held, map, colour, chosen, choose }: Parallelogr
         ref={useHeldGrip(held, "origin", choose)}
       />
       <path class={css["edge"]} d={outline(corners)} />
-      {chosen && GRIPS.map((grip) => <Handle key={grip} held={held} grip={grip} at={place(corners[grip])} />)}
-      {chosen && <Turner held={held} corners={corners} />}
+    </g>
+  );
+}
+
+/** The handles of what is chosen, above all else: a drag that begins on one is for it. */
+export function Grips({ held, map, colour }: Pick<ParallelogramProps, "held" | "map" | "colour">) {
+  const corners = cornersOf(map, held.box());
+  return (
+    <g style={{ color: colour }}>
+      {GRIPS.map((grip) => (
+        <Handle key={grip} held={held} grip={grip} at={place(corners[grip])} />
+      ))}
+      <Turner held={held} corners={corners} />
     </g>
   );
 }

@@ -86,6 +86,14 @@ export const commands: readonly Command[] = [
     },
   },
   {
+    id: "map-remove",
+    label: "Remove the map that is chosen",
+    group: SHAPES,
+    keys: ["Delete", "Backspace"],
+    enabled: () => selection.peek()?.map != null && !selection.peek()?.whole,
+    run: () => void import("./maps/remove").then(({ removeChosen }) => removeChosen()),
+  },
+  {
     id: "map-large",
     label: "The map in the place of the stage, and back",
     group: SHAPES,

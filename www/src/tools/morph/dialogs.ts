@@ -7,6 +7,15 @@ import type { End } from "./changes";
 /** The end whose shape is being chosen; null while the gallery is closed. */
 export const gallery = signal<End | null>(null);
 
+/** Whether the gallery was opened for a new shape, which is where it begins then. */
+export const forNew = signal(false);
+
+/** Opens the gallery where a new shape is begun. */
+export function askForNew(target: End): void {
+  forNew.value = true;
+  gallery.value = target;
+}
+
 /** Opens the maps of a shape. The evidence, which may lie over them, makes room. */
 export function editMaps(target: End): void {
   evidenceOpen.value = false;

@@ -1,4 +1,5 @@
 import type { ComponentChildren } from "preact";
+import { useEffect, useRef } from "preact/hooks";
 import { IconButton } from "../controls/Button";
 import css from "./map-list.module.css";
 
@@ -18,8 +19,15 @@ interface MapListProps {
 
 /** Maps under each other, one of which is open. */
 export function MapList({ maps, open, onOpen, swatch, numbered = false, fields }: MapListProps) {
+  const list = useRef<HTMLOListElement>(null);
+  const first = useRef(true);
+  useEffect(() => {
+    // What is chosen on the picture has its numbers in sight. What is open from the start stays below what is above it.
+    if (open !== null && !first.current) list.current?.children[open]?.scrollIntoView({ block: "nearest" });
+    first.current = false;
+  }, [open]);
   return (
-    <ol class={css["maps"]}>
+    <ol class={css["maps"]} ref={list}>
       {maps.map((words, index) => (
         // Maps have no name but their number: it is their key.
         <li key={index} class={`${css["map"]} ${open === index ? css["open"] : ""}`}>

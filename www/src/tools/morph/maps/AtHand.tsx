@@ -7,6 +7,7 @@ import { Button } from "#ui/controls/Button";
 import { Fold } from "#ui/panel/Fold";
 import type { Shape } from "#wasm/api";
 import { choose, type End } from "../changes";
+import { askForNew } from "../dialogs";
 import { shapes } from "../parts";
 import { rename } from "./changes";
 import css from "./maps.module.css";
@@ -27,6 +28,9 @@ export function AtHand({ target }: { target: End }) {
           </Button>
           <Button icon="copy" description="Keep it, and go on with a copy" onClick={() => duplicate(target)}>
             Duplicate
+          </Button>
+          <Button icon="add" onClick={() => askForNew(target)}>
+            New
           </Button>
         </div>
         <OwnShapes small onChoose={(shape) => take(target, shape)} />

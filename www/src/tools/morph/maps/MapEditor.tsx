@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { boxOf } from "#document/framing";
-import { selection } from "#document/morph";
+import { editFrame } from "#document/edit-frame";
+import { ranks, selection } from "#document/morph";
 import { announce, wordsOf } from "#document/notice";
 import { LONGEST_NAME } from "#document/own-shapes";
 import { originOf } from "#document/presets";
@@ -23,6 +23,7 @@ import { shapes } from "../parts";
 import { Swatch } from "../shapes/Swatch";
 import { AtHand } from "./AtHand";
 import { rename, setMaps } from "./changes";
+import { FrameFold } from "./FrameFold";
 import { NumberFields, PartFields } from "./MapFields";
 import css from "./maps.module.css";
 import { Weights } from "./Weights";
@@ -105,11 +106,12 @@ export function MapEditor({ target, chosen, whole }: MapEditorProps) {
 /** The maps one by one. */
 function Maps({ target, chosen }: { target: End; chosen: number | null }) {
   const [form, setForm] = useState<"parts" | "numbers">("parts");
-  const [problem, setProblem] = useState<string | null>(null);
+  const [problem, setProblem] = useState<{ words: string; from: "map" | "list" } | null>(null);
   const shape = shapes[target].value;
   const { maps } = shape;
   const origin = originOf(shape);
   const pick = (map: number | null) => {
+    setProblem(null);
     selection.value = { target, map };
   };
 
@@ -121,10 +123,10 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
     edit((before) => setMaps(before, target, next), gesture === undefined ? {} : { gesture });
     return undefined;
   };
-  /** The same for a button, whose refusal is told under the list. */
-  const press = (next: MapRow[], then: number | null, said: string) => {
+  /** The same for a button, whose refusal is told beside it. */
+  const press = (next: MapRow[], then: number | null, said: string, from: "map" | "list" = "map") => {
     const refusal = offer(next);
-    if (refusal !== undefined) return setProblem(`${refusal} The maps stay as they were.`);
+    if (refusal !== undefined) return setProblem({ words: `${refusal} The maps stay as they were.`, from });
     pick(then);
     announce(said);
   };
@@ -135,7 +137,7 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
     );
 
   /** Where maps are put. */
-  const frame = () => boxOf(maps) ?? UNIT;
+  const frame = () => editFrame.peek()?.box ?? UNIT;
   const mirror = (index: number, map: MapRow) =>
     press(maps.with(index, reflect(map, middle(maps)[0])), index, `Map ${index + 1} is mirrored.`);
 
@@ -147,6 +149,7 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
         <>
           <Fields
             map={map}
+            among={maps}
             onChange={(next, field) => change(index, next, `map-${target}-${index}-${field}`)}
             onDone={endGesture}
           />
@@ -164,6 +167,7 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
               onClick={() => mirror(index, map)}
             />
           </MapTools>
+          {problem?.from === "map" && <Problem words={problem.words} />}
         </>
       )
     );
@@ -196,16 +200,16 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
         maps={maps.map(mapWords)}
         open={chosen}
         onOpen={pick}
-        swatch={(index) => <Swatch map={index} />}
+        swatch={(index) => <Swatch map={index} colour={ranks[target].value[index]} />}
         fields={fields}
       />
-      <Problem words={problem} />
+      <Problem words={problem?.from === "list" ? problem.words : null} />
       <div class={css["editor-foot"]}>
         <Button
           icon="add"
           disabled={maps.length >= MOST_MAPS}
           onClick={() =>
-            press([...maps, oneMore(maps, frame())], maps.length, `Map ${maps.length + 1} is new.`)
+            press([...maps, oneMore(maps, frame())], maps.length, `Map ${maps.length + 1} is new.`, "list")
           }
         >
           Add a map
@@ -230,6 +234,7 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
         </Button>
       </div>
       <div>
+        <FrameFold target={target} />
         <Weights target={target} />
         <AtHand target={target} />
       </div>

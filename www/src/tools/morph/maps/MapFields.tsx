@@ -1,3 +1,4 @@
+import { digitsApart } from "#format/numbers";
 import { compose, decompose, type Parts } from "#geometry/maps/affine2";
 import { NumberField } from "#ui/controls/NumberField";
 import { useProblems } from "#ui/controls/problems";
@@ -7,6 +8,8 @@ import mapsCss from "./maps.module.css";
 
 interface MapFieldsProps {
   map: MapRow;
+  /** All maps of the shape: what differs among them is seen to differ. */
+  among?: readonly MapRow[];
   /** Takes the map, or says why it cannot be. `field` names what was changed, so that a run of steps is one undo. */
   onChange: (map: MapRow, field: string) => string | undefined;
   onDone: () => void;
@@ -22,8 +25,9 @@ const PARTS: readonly { key: keyof Parts; label: string; step: number; digits: n
 ];
 
 /** Turn, stretch and move: how a hand would say it. A negative stretch mirrors. */
-export function PartFields({ map, onChange, onDone }: MapFieldsProps) {
+export function PartFields({ map, among = [map], onChange, onDone }: MapFieldsProps) {
   const parts = decompose(map);
+  const all = among.map(decompose);
   const { tellOf, below } = useProblems();
   return (
     <>
@@ -34,7 +38,10 @@ export function PartFields({ map, onChange, onDone }: MapFieldsProps) {
             label={label}
             value={parts[key]}
             step={step}
-            digits={digits}
+            digits={digitsApart(
+              all.map((one) => one[key]),
+              digits,
+            )}
             {...(unit === undefined ? {} : { unit })}
             onChange={(value) => onChange(compose({ ...parts, [key]: value }), key)}
             onDone={onDone}
@@ -67,7 +74,7 @@ const ROWS = [
 ] as const;
 
 /** The six numbers, laid out as the two equations that they are. */
-export function NumberFields({ map, onChange, onDone }: MapFieldsProps) {
+export function NumberFields({ map, among = [map], onChange, onDone }: MapFieldsProps) {
   const { tellOf, below } = useProblems();
   return (
     <>
@@ -88,7 +95,10 @@ export function NumberFields({ map, onChange, onDone }: MapFieldsProps) {
                     : `${symbol} ${symbol === "a" || symbol === "c" ? "x" : "y"}`
                 }
                 value={map[index]}
-                digits={5}
+                digits={digitsApart(
+                  among.map((one) => one[index]),
+                  5,
+                )}
                 onChange={(value) => {
                   const next: MapRow = [...map];
                   next[index] = value;

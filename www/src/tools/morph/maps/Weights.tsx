@@ -1,4 +1,5 @@
 import { areaShares } from "#document/area-shares";
+import { ranks } from "#document/morph";
 import { announce } from "#document/notice";
 import { edit, endGesture, scene } from "#document/scene";
 import { fixed } from "#format/numbers";
@@ -52,7 +53,7 @@ function WeightFields({ target }: { target: End }) {
         {shown.map((weight, index) => (
           // Maps have no name but their number: it is their key.
           <li key={index} class={css["weight"]}>
-            <Swatch map={index} />
+            <Swatch map={index} colour={ranks[target].value[index]} />
             <NumberField
               terse
               label={`Weight of map ${index + 1}`}

@@ -1,4 +1,5 @@
 /** What the editor of maps does to the document, as functions from scene to scene. */
+import { carryFrame } from "#document/edit-frame";
 import { carriedWeights, withWeights } from "#geometry/maps/weighted";
 import type { MapRow, Scene } from "#wasm/api";
 import { type End, withShape } from "../changes";
@@ -15,7 +16,7 @@ export function rename(scene: Scene, end: End, name: string): Scene {
  */
 export function setMaps(scene: Scene, end: End, maps: MapRow[]): Scene {
   const { name, ...before } = scene[end];
-  const shape = withWeights({ name, maps }, carriedWeights(before, maps));
+  const shape = withWeights({ name, maps: carryFrame(before.maps, maps) }, carriedWeights(before, maps));
   if (maps.length !== before.maps.length) return withShape(scene, end, shape);
   return { ...scene, [end]: shape };
 }

@@ -10,7 +10,7 @@ import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
 import endsCss from "#ui/shapes/ends.module.css";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { asBoth, type End, nameOf, other, swap } from "../changes";
-import { editMaps, endEditing, gallery, PENCILS, takeWhole } from "../dialogs";
+import { askForNew, editMaps, endEditing, gallery, PENCILS, takeWhole } from "../dialogs";
 import { keepingPath } from "../locus/path/automatic";
 import { shapes } from "../parts";
 import { changedWord } from "./matched";
@@ -70,6 +70,11 @@ function Card({ end }: { end: End }) {
             onSelect: () => {
               gallery.value = end;
             },
+          },
+          {
+            label: "New shape …",
+            icon: "add",
+            onSelect: () => askForNew(end),
           },
           {
             label: "Turn, move or scale it",

@@ -4,6 +4,7 @@ import { tellReplaced } from "#document/curve/replaced";
 import { editSystems } from "#document/curve/systems";
 import { systemOf } from "#document/directed/changes";
 import { chooseDirected, chooseSystem } from "#document/directed/edits";
+import { setFrame } from "#document/edit-frame";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
 import { presets } from "#document/presets";
@@ -11,9 +12,11 @@ import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
 import type { Shape } from "#wasm/api";
 import { choose, nameOf, other } from "../changes";
-import { gallery } from "../dialogs";
+import { editMaps, gallery } from "../dialogs";
 import { pick } from "../locus/path/way";
 import { shapes } from "../parts";
+import { BLANK_FRAME, blankShape } from "./blank";
+import { NewShape } from "./NewShape";
 import { bondWords, partnersOf } from "./partners";
 import { promise } from "./promised";
 
@@ -39,6 +42,18 @@ export function Gallery() {
   const partners = partnersOf(beside ? idOf(beside) : "");
   const { curves, [other(end)]: system } = scene.value;
   const outline = curves?.[other(end)].name;
+  const take = async (shape: Shape) => {
+    const before = scene.peek();
+    if (standIn.peek() === "directed") chooseSystem(end, shape);
+    else {
+      await editSystems((now) => choose(now, end, shape));
+      tellReplaced(before, end);
+      promise(scene.peek(), partners.get(shape.preset ?? "") === "other");
+    }
+    if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
+    pick(null);
+    announce(`Shape ${nameOf(end)} is now ${shape.name}.`);
+  };
   return (
     <PresetGallery
       title={`Shape ${nameOf(end)}`}
@@ -58,19 +73,7 @@ export function Gallery() {
         const bond = partners.get(id);
         return bond && beside ? bondWords(bond, beside.name) : null;
       }}
-      onChoose={(shape) => {
-        const before = scene.peek();
-        if (standIn.peek() === "directed") chooseSystem(end, shape);
-        else {
-          void editSystems((now) => choose(now, end, shape)).then(() => {
-            tellReplaced(before, end);
-            promise(scene.peek(), partners.get(shape.preset ?? "") === "other");
-          });
-        }
-        if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
-        pick(null);
-        announce(`Shape ${nameOf(end)} is now ${shape.name}.`);
-      }}
+      onChoose={(shape) => void take(shape)}
       onDirected={(shape) => {
         const before = scene.peek();
         selection.value = null;
@@ -80,6 +83,18 @@ export function Gallery() {
         announce(`Shape ${nameOf(end)} is now ${shape.name}.`);
       }}
       onClose={close}
+      first={
+        <NewShape
+          onChoose={(count) => {
+            close();
+            const shape = blankShape(count);
+            setFrame(shape.maps, BLANK_FRAME);
+            void take(shape).then(() => {
+              if (!standIn.peek()) editMaps(end);
+            });
+          }}
+        />
+      }
       more={<DirectedShelf end={end} onChosen={close} />}
     />
   );

@@ -1,0 +1,31 @@
+import { expect, it, vi } from "vitest";
+import type { MapRow } from "#wasm/api";
+
+vi.mock("#wasm/core", () => ({ frond: {} }));
+const { ranksIn } = await import("./morph");
+const { ranked } = await import("./colours");
+
+const [p, q, r]: [MapRow, MapRow, MapRow] = [
+  [0.5, 0, 0, 0.5, 0, 0],
+  [0.5, 0, 0, 0.5, 0.5, 0],
+  [0.5, 0, 0, 0.5, 0.25, 0.5],
+];
+
+it("gives each map of an end the place that it has in the morph", () => {
+  // match=2,3,1: the first map of A becomes the second of B.
+  expect(ranksIn([p, q, r], [p, q, r], [1, 2, 0])).toEqual([2, 0, 1]);
+  expect(ranksIn([p, q], [q, p, p])).toEqual([1, 0]);
+  expect(ranksIn([p, p, q], [p, p, q])).toEqual([0, 1, 2]);
+});
+
+it("leaves maps in their own order where they are not what is paired", () => {
+  expect(ranksIn([p, q], [p, r, r])).toEqual([0, 1]);
+  expect(ranksIn([p, q], [p, q], [0, 5])).toEqual([0, 1]);
+});
+
+it("gives maps the colours of their places", () => {
+  const colours = ["red", "green", "blue"];
+  expect(ranked(colours, [2, 0, 1])).toEqual(["blue", "red", "green"]);
+  expect(ranked(colours, [0, 1])).toBe(colours);
+  expect(ranked(colours, [4, 0])).toEqual(["green", "red"]);
+});

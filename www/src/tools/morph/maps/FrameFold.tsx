@@ -1,0 +1,100 @@
+import { useEffect } from "preact/hooks";
+import { editFrame, frameAround, setFrame } from "#document/edit-frame";
+import { scene } from "#document/scene";
+import { type Box, UNIT } from "#geometry/boxes";
+import { frameShown } from "#stage/handles/frame-grips";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
+import { Fold } from "#ui/panel/Fold";
+import type { End } from "../changes";
+import css from "./maps.module.css";
+
+const same = (p: Box, q: Box) => p.x0 === q.x0 && p.y0 === q.y0 && p.x1 === q.x1 && p.y1 === q.y1;
+
+/** The frame whose images the maps are shown as: it stays, or follows the shape. */
+export function FrameFold({ target }: { target: End }) {
+  const frame = editFrame.value;
+  if (!frame) return null;
+  const { box, follows } = frame;
+  const words = follows ? "follows the shape" : same(box, UNIT) ? "unit square" : "stays";
+  return (
+    <Fold title="Frame of the outlines" now={words}>
+      <FrameFields target={target} box={box} follows={follows} />
+    </Fold>
+  );
+}
+
+/** Far from where numbers of a picture end. */
+const FARTHEST = 1e6;
+const SMALLEST = 1e-6;
+
+function FrameFields({ target, box, follows }: { target: End; box: Box; follows: boolean }) {
+  useEffect(() => {
+    frameShown.value = true;
+    return () => {
+      frameShown.value = false;
+    };
+  }, []);
+  const maps = () => scene.peek()[target].maps;
+  const put = (next: Box) => setFrame(maps(), next);
+  const width = box.x1 - box.x0;
+  const height = box.y1 - box.y0;
+  return (
+    <div class="stack">
+      <p class="hint">
+        Each outline is what a map makes of the dashed frame. Drag two of its corners on the picture, or type.
+        The frame changes no map.
+      </p>
+      <Segmented
+        label="The frame"
+        value={follows ? "follows" : "stays"}
+        onChange={(next) => setFrame(maps(), box, { follows: next === "follows" })}
+        options={[
+          { value: "stays", label: "Stays" },
+          { value: "follows", label: "Follows the shape" },
+        ]}
+      />
+      {!follows && (
+        <>
+          <div class={css["map-fields"]}>
+            <NumberField
+              label="Left"
+              value={box.x0}
+              min={-FARTHEST}
+              max={FARTHEST}
+              onChange={(x0) => put({ ...box, x0, x1: x0 + width })}
+            />
+            <NumberField
+              label="Bottom"
+              value={box.y0}
+              min={-FARTHEST}
+              max={FARTHEST}
+              onChange={(y0) => put({ ...box, y0, y1: y0 + height })}
+            />
+            <NumberField
+              label="Width"
+              value={width}
+              min={SMALLEST}
+              max={FARTHEST}
+              onChange={(next) => put({ ...box, x1: box.x0 + next })}
+            />
+            <NumberField
+              label="Height"
+              value={height}
+              min={SMALLEST}
+              max={FARTHEST}
+              onChange={(next) => put({ ...box, y1: box.y0 + next })}
+            />
+          </div>
+          <div class={css["editor-foot"]}>
+            <Button disabled={same(box, UNIT)} onClick={() => put(UNIT)}>
+              Unit square
+            </Button>
+            <Button onClick={() => put(frameAround(maps()))}>Around the shape</Button>
+          </div>
+        </>
+      )}
+    </div>
+  );
+}
