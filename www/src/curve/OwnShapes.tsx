@@ -3,6 +3,7 @@ import { thumbnails } from "#compute/results";
 import { thumbnailsOf } from "#compute/thumbnails";
 import { DirectedThumb } from "#directed/Thumb";
 import { sizeWords } from "#directed/words";
+import { beginChoice } from "#document/choice";
 import { announce, notify, wordsOf } from "#document/notice";
 import { LONGEST_NAME, type OwnShape, ownShapes, removeOwnShape, renameOwnShape } from "#document/own-shapes";
 import { withWeights } from "#geometry/maps/weighted";
@@ -59,6 +60,7 @@ function Item({ shape, onChoose, onDirected }: ItemProps) {
   const tell = (problem: string | null, done: string) =>
     problem === null ? announce(done) : notify({ kind: "info", text: problem });
   const take = () => {
+    beginChoice();
     if (states) {
       onDirected?.({ name, states, ...(outline === undefined ? {} : { outline }) });
       return;

@@ -152,3 +152,35 @@ it("does not trust what another page has noted", () => {
     tab.go(1);
   }
 });
+
+it("begins an entry with each shape that is chosen, to which Back leads with nothing lost", () => {
+  turn(2);
+  tab.steps.choosing();
+  turn(5);
+  turn(6);
+  expect(tab.hashes().length).toBe(2);
+  expect(tab.hashes()[0]).toContain("morph&2");
+  // What is done afterwards is of the same entry.
+  const precise = 0.1 + 0.2;
+  turn(precise);
+  const chosen = scene.peek();
+  tab.go(-1);
+  expect(scene.peek().turns).toEqual([2]);
+  tab.go(1);
+  expect(scene.peek()).toBe(chosen);
+  undo();
+  expect(scene.peek().turns).toEqual([2]);
+});
+
+it("begins none where nothing is chosen after all, or the tool changes with it", async () => {
+  turn(2);
+  tab.steps.choosing();
+  tab.steps.choosing();
+  openTool("deform");
+  await Promise.resolve();
+  turn(3);
+  expect(tab.hashes().length).toBe(2);
+  tab.go(-1);
+  expect(scene.peek().tool ?? "morph").toBe("morph");
+  expect(scene.peek().turns).toEqual([3]);
+});

@@ -1,13 +1,15 @@
 /**
- * Steps of the browser's history between the tools: its back button returns to the tool before.
+ * Steps of the browser's history between the tools, and to each shape that is chosen: its back button returns to the
+ * tool before, or to the shapes before.
  *
  * Where the document is still the one that was open there, only the tool goes back, and all that was done meanwhile
  * stays: whoever goes back wants to leave a tool, and has Undo for what was made in it. An entry of another document
  * brings that one back, as any link does, and that can be undone.
  */
 import { effect } from "@preact/signals";
+import { onChoice } from "#document/choice";
 import { openings, route } from "#document/link";
-import { scene } from "#document/scene";
+import { edit, scene } from "#document/scene";
 import { openTool } from "#document/tool";
 import type { Scene, Tool } from "#wasm/api";
 
@@ -38,6 +40,9 @@ export class ToolSteps {
   #document: string;
   #tool = toolNow();
   #opened = openings.peek();
+  /** What was there at the entries that a choice of shapes has left, or gone back from. */
+  readonly #left = new Map<string, Scene>();
+  #stopWaiting = () => {};
 
   constructor(link: Linked, entries: Entries) {
     this.#link = link;
@@ -58,6 +63,32 @@ export class ToolSteps {
     });
   }
 
+  /** A shape is about to be chosen, now or when what it takes is there: it begins an entry. */
+  choosing(): void {
+    this.#stopWaiting();
+    const before = scene.peek();
+    const left = this.#link.fragment();
+    const tool = this.#tool;
+    const stop = effect(() => {
+      if (scene.value === before) return;
+      this.#stopWaiting();
+      const here = this.#link.fragment();
+      // A change of the tool begins an entry by itself.
+      if (toolNow() !== tool || route.peek().page !== "studio" || left === null || here === null) return;
+      this.#left.set(this.#document, before);
+      this.#entries.write({ tool, of: this.#document }, left, false);
+      this.#document = another();
+      this.#entries.write({ tool, of: this.#document }, here, true);
+      this.#link.follow();
+    });
+    const timer = setTimeout(() => this.#stopWaiting(), CHOICE_MS);
+    this.#stopWaiting = () => {
+      clearTimeout(timer);
+      this.#stopWaiting = () => {};
+      stop();
+    };
+  }
+
   #begin(from: Tool, to: Tool): void {
     const left = this.#link.fragment({ tool: from });
     const here = this.#link.fragment();
@@ -72,14 +103,23 @@ export class ToolSteps {
   /** The browser went to another entry, and `Link.follow` is still to come: it finds the address up to date. */
   came(): void {
     const mark = read(this.#entries.mark());
-    if (!mark || mark.of !== this.#document) return;
+    if (!mark) return;
+    const there = mark.of === this.#document ? null : this.#left.get(mark.of);
+    if (there === undefined) return;
     // Not one more entry.
     this.#tool = mark.tool;
-    openTool(mark.tool);
+    if (there) {
+      this.#left.set(this.#document, scene.peek());
+      this.#document = mark.of;
+      edit(() => there);
+    } else openTool(mark.tool);
     const fragment = this.#link.fragment();
     this.#entries.write(mark, fragment ?? "", false);
   }
 }
+
+/** So long a choice may take: what is only fetched for it comes over the network. */
+const CHOICE_MS = 10_000;
 
 const toolNow = (): Tool => scene.peek().tool ?? "morph";
 
@@ -106,5 +146,6 @@ const tab: Entries = {
 export function beStepped(link: Linked): void {
   const steps = new ToolSteps(link, tab);
   steps.watch();
+  onChoice(() => steps.choosing());
   addEventListener("popstate", () => steps.came());
 }

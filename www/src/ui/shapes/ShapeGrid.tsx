@@ -1,4 +1,5 @@
 import { useRef, useState } from "preact/hooks";
+import { beginChoice } from "#document/choice";
 import css from "./shape-grid.module.css";
 import { Thumbnail } from "./Thumbnail";
 
@@ -66,7 +67,10 @@ export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
             autofocus={index === active}
             aria-current={preset.id === chosen ? "true" : undefined}
             onFocus={() => setActive(index)}
-            onClick={() => onChoose(preset)}
+            onClick={() => {
+              beginChoice();
+              onChoose(preset);
+            }}
           >
             <Thumbnail bitmap={pictures.get(preset.id)} />
             <span class={css["gallery-name"]}>

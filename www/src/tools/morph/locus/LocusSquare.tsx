@@ -6,12 +6,13 @@ import type { LocusStyle } from "#stage/locus/paint";
 import { CurrentHandle, WayHandle } from "#stage/locus/WayPoints";
 import { FamilyLines, ToBoundary } from "../later";
 import { pathKind } from "../parts";
+import fieldCss from "./field.module.css";
 import { End, PathLines, PickedMark } from "./marks";
 import { PATH } from "./path/handles";
 import { WorstMark } from "./path/WorstMark";
 import { place, way } from "./path/way";
 import { CROSS_HINT, Cross, crossKey, useCross } from "./pointer/cross";
-import { useGestures } from "./pointer/gestures";
+import { useGestures, wheelHint } from "./pointer/gestures";
 import { followPointer } from "./pointer/hover";
 import { Preview } from "./pointer/Preview";
 import { shownField } from "./view/shown";
@@ -52,6 +53,11 @@ export function LocusSquare({ style }: { style: LocusStyle }) {
       <Cross />
       <ZoomButtons />
       <ToBoundary />
+      {wheelHint.value && (
+        <p class={fieldCss["wheel-hint"]} aria-hidden="true">
+          Click the map, or hold Ctrl, to zoom with the wheel
+        </p>
+      )}
       {problem !== null && <p class="locus-problem">{problem}</p>}
       <LocusProgress share={progress} />
       <Preview square={square} />

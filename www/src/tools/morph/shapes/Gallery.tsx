@@ -1,5 +1,6 @@
 import { PresetGallery } from "#curve/PresetGallery";
 import { DirectedShelf } from "#directed/Shelf";
+import { beginChoice } from "#document/choice";
 import { tellReplaced } from "#document/curve/replaced";
 import { editSystems } from "#document/curve/systems";
 import { systemOf } from "#document/directed/changes";
@@ -86,6 +87,7 @@ export function Gallery() {
       first={
         <NewShape
           onChoose={(count) => {
+            beginChoice();
             close();
             const shape = blankShape(count);
             setFrame(shape.maps, BLANK_FRAME);

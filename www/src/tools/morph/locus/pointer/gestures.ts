@@ -1,4 +1,5 @@
 /** What pointers do on the square: they drag what lies on the path, move and enlarge the view, look, and pick. */
+import { signal } from "@preact/signals";
 import type { RefObject } from "preact";
 import { useRef } from "preact/hooks";
 import { pathPoints, selection, uv } from "#document/morph";
@@ -11,6 +12,7 @@ import { pinched, wheelFactor } from "#ui/panZoom";
 import { scrubTo } from "../../strip/scrub";
 import { addAt, moveTo, pick, removeAt, way } from "../path/way";
 import { zoomed } from "../view/geometry";
+import { large } from "../view/large";
 import { backToPath, panBy, pickPoint, setView, shownWindow, stopFlying, view, zoomBy } from "../view/view";
 import { pointed } from "./hover";
 
@@ -20,8 +22,6 @@ const DRAG_STARTS = 4;
 const LONG_PRESS_MS = 500;
 /** How near to the path a press counts as on it, in CSS pixels. */
 const LINE_REACH = 7;
-/** A wheel that was turning before it came here goes on doing what it did. */
-const WHEEL_REST_MS = 350;
 /** Two presses within this time are one that goes nearer, by so much. */
 const DOUBLE_MS = 400;
 const DOUBLE_ZOOM = 2.5;
@@ -42,23 +42,23 @@ interface Drag {
   timer: ReturnType<typeof setTimeout> | null;
 }
 
-/** When a wheel was last turned elsewhere on the page. */
-let wheeledAt = Number.NEGATIVE_INFINITY;
-if (typeof document !== "undefined") {
-  document.addEventListener(
-    "wheel",
-    (event) => {
-      if (!(event.target instanceof Element && event.target.closest(".locus-square")))
-        wheeledAt = event.timeStamp;
-    },
-    { passive: true, capture: true },
-  );
+/** Whether a wheel was turned over the map that was not pressed before: it is said what makes it zoom. */
+export const wheelHint = signal(false);
+let hintTimer: ReturnType<typeof setTimeout> | undefined;
+const HINT_MS = 1600;
+
+function hint(on: boolean): void {
+  clearTimeout(hintTimer);
+  wheelHint.value = on;
+  if (on) hintTimer = setTimeout(() => hint(false), HINT_MS);
 }
 
 export function useGestures(square: RefObject<HTMLElement | null>) {
   const drag = useRef<Drag | null>(null);
   const tap = useRef<{ at: Place; time: number } | null>(null);
   const down = useRef(new Map<number, Place>());
+  /** It was pressed, and the mouse has not left it since: the wheel is for the map, and not for the page around it. */
+  const pressed = useRef(false);
 
   const boxOf = () => square.current?.getBoundingClientRect() ?? new DOMRect(0, 0, 1, 1);
   /** Parts of the square from its left and from its bottom. */
@@ -112,6 +112,8 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
   return {
     onPointerDown(event: PointerEvent) {
       if (event.button !== 0) return;
+      pressed.current = true;
+      hint(false);
       if (event.target instanceof Element && event.target.closest("button")) return;
       const place = placeOf(event);
       down.current.set(event.pointerId, place);
@@ -209,17 +211,15 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
       finish(true);
     },
     onPointerLeave(event: PointerEvent) {
+      pressed.current = false;
       if (event.pointerType === "mouse" && drag.current === null) unhover();
     },
     // Two presses are told apart from one above, for fingers too; the browser is to select nothing.
     onDblClick: (event: MouseEvent) => event.preventDefault(),
     onWheel(event: WheelEvent) {
-      if (event.timeStamp - wheeledAt < WHEEL_REST_MS && !event.ctrlKey) {
-        wheeledAt = event.timeStamp;
-        return;
-      }
+      if (!(pressed.current || large.peek() || event.ctrlKey || event.metaKey)) return hint(true);
       // At home there is no farther: the panel scrolls.
-      if (view.peek().zoom === 1 && event.deltaY > 0) return;
+      if (view.peek().zoom === 1 && event.deltaY > 0 && !event.ctrlKey) return;
       event.preventDefault();
       zoomBy(wheelFactor(event, 0.0022), partsOf(placeOf(event)));
       if (pointed.peek()?.by === "mouse") pointed.value = null;

@@ -24,7 +24,7 @@ export function ZoomButtons() {
       <IconButton
         icon="add"
         label="Nearer"
-        description="or turn the wheel, or press twice"
+        description="or press the map and turn the wheel, or press twice"
         disabled={zoom >= MOST_ZOOM}
         onClick={() => zoomBy(STEP)}
       />
