@@ -112,3 +112,33 @@ test("shapes with different numbers of maps morph all the same", async ({ studio
   await expect(page.locator(".notes p").first()).toHaveText(/\b(doubled|split|refined)\b.*\.$/);
   await expect(studio.verdict).toHaveText(/piece|whole|Not decided/);
 });
+
+test("a shape is found by its name, the focus comes back to its card, and the back button to the one before", async ({
+  studio,
+  page,
+}) => {
+  await studio.open("a=dragon&b=gasket");
+  const begun = page.url();
+  await page.locator("body").press("g");
+  await page.getByRole("dialog", { name: "Shape A" }).waitFor();
+  await page.keyboard.type("levy");
+  await page.keyboard.press("Enter");
+  const card = page.getByRole("button", { name: /^Shape A: Lévy curve/ });
+  await expect(card).toBeFocused();
+  expect((await studio.scene()).a.preset).toBe("levy");
+  await page.goBack();
+  await expect.poll(async () => (await studio.scene()).a.preset).toBe("dragon");
+  expect(new URL(page.url()).pathname).toBe(new URL(begun).pathname);
+  await page.goForward();
+  await expect.poll(async () => (await studio.scene()).a.preset).toBe("levy");
+
+  await page.locator("body").press("?");
+  await expect(page.getByRole("dialog").getByRole("button", { name: "Close" })).not.toBeFocused();
+  await page.keyboard.press("Escape");
+  // What the picture looks like is said, in numbers that a drawing of the curve would show.
+  await studio.idle();
+  await page.locator("body").press("d");
+  await expect(
+    page.getByRole("status").filter({ hasText: "Lévy curve: 2 copies, each 0.707 as large" }),
+  ).toContainText("its own mirror image across an upright line");
+});

@@ -32,6 +32,44 @@ test("light and dark: the page and the picture follow the system, and the choice
   await expect.poll(ground).toBe("dark");
 });
 
+test("a link brings its ground along where that is wanted, into the page, a frame and an element", async ({
+  studio,
+  page,
+}) => {
+  await page.emulateMedia({ colorScheme: "dark" });
+  await studio.open("a=gasket&b=gasket");
+  await page.getByRole("button", { name: "Share", exact: true }).click();
+  const sheet = page.getByRole("dialog", { name: "Share" });
+  const address = sheet.getByRole("textbox", { name: "The link" });
+  await expect(address).not.toHaveValue(/theme=/);
+  await sheet.getByRole("radio", { name: "Dark, as here" }).check();
+  await expect(address).toHaveValue(/[?&]theme=dark#/);
+  await page.evaluate(() => {
+    const texts: string[] = [];
+    Object.assign(globalThis, { texts });
+    Object.defineProperty(navigator, "clipboard", {
+      value: { writeText: async (text: string) => void texts.push(text) },
+    });
+  });
+  await sheet.getByRole("button", { name: "Copy embed code" }).click();
+  await sheet.getByRole("button", { name: "Copy element" }).click();
+  const [frame = "", element = ""] = await page.evaluate(
+    () => (globalThis as unknown as { texts: string[] }).texts,
+  );
+  expect(frame).toContain("theme=dark#");
+  expect(frame).toContain('style="border:0;');
+  expect(element).toContain(' theme="dark" style="max-width:640px;aspect-ratio:640/400"');
+
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.goto(await address.inputValue());
+  await studio.drawn();
+  expect((await studio.look()).colours.slice(0, 3).sort()).toEqual(palette("dark").slice(0, 3).sort());
+  await page.goto("about:blank");
+  await studio.open("a=gasket&b=gasket");
+  // It was for one visit.
+  expect((await studio.look()).colours.slice(0, 3).sort()).toEqual(palette("light").slice(0, 3).sort());
+});
+
 test("nothing moves unless asked", async ({ studio }) => {
   await studio.open("a=gasket&b=gasket&t=0.5");
   await studio.idle();

@@ -3,6 +3,7 @@ import { thumbnails } from "#compute/results";
 import { originOf, presets } from "#document/presets";
 import { standIn } from "#document/stand-in";
 import { Dialog } from "#ui/overlay/Dialog";
+import { CARDS } from "#ui/shapes/EndCard";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import type { DirectedShape, Preset, Shape } from "#wasm/api";
 import { OwnShapes } from "./OwnShapes";
@@ -49,7 +50,13 @@ export function PresetGallery({
   };
   const outlines = <Shelf end={end} onChosen={onClose} />;
   return (
-    <Dialog wide title={title} about={about} onClose={onClose}>
+    <Dialog
+      wide
+      title={title}
+      about={about}
+      onClose={onClose}
+      back={() => (end === "bent" ? null : CARDS[end].current)}
+    >
       {first}
       {apart !== null && (
         <>

@@ -5,8 +5,16 @@ import { media } from "#style/media";
 export type Theme = "auto" | "light" | "dark";
 const KEY = "frond.theme";
 
+/** `?theme=dark`: as somebody shared it, for this visit. `index.html` reads the same before anything is drawn. */
+export function themeIn(search: string): "light" | "dark" | null {
+  const asked = new URLSearchParams(search).get("theme");
+  return asked === "light" || asked === "dark" ? asked : null;
+}
+
 /** Storage may be missing, full or forbidden: then the choice lasts as long as the page. */
 function read(): Theme {
+  const asked = themeIn(globalThis.location?.search ?? "");
+  if (asked) return asked;
   try {
     const kept = localStorage.getItem(KEY);
     return kept === "light" || kept === "dark" ? kept : "auto";

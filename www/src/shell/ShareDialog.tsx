@@ -2,6 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { ownPicture, pictureShown } from "#document/deform/picture";
 import { notify, wordsOf } from "#document/notice";
+import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import { exportOpen } from "#film/open";
 import type { Still } from "#film/subject";
@@ -15,7 +16,7 @@ import type { Scene } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { link } from "./actions";
 import { moving } from "./moving";
-import { AUTOPLAY, type Moves } from "./publish/folder";
+import { AUTOPLAY, type Moves, themeOf } from "./publish/folder";
 import { Publish } from "./publish/Publish";
 import { seenOf } from "./publish/seen";
 import css from "./share.module.css";
@@ -33,6 +34,16 @@ const MOVES: readonly { value: Moves; label: string; description: string }[] = [
 ];
 const QUERY: Record<Moves, string> = { once: "?play=once", on: "?play", still: "?play=still" };
 
+type Grounds = "page" | "here";
+const GROUNDS = (isDark: boolean): readonly { value: Grounds; label: string; description: string }[] => [
+  { value: "page", label: "As the reader's page", description: "Light or dark as each reader has chosen" },
+  {
+    value: "here",
+    label: isDark ? "Dark, as here" : "Light, as here",
+    description: "The same ground and colours for all who open it",
+  },
+];
+
 /** From one of the two sheets to the other, or out: a sheet that has gone already closes nothing. */
 const leave = (from: "share" | "publish", to: "share" | null) => () => {
   if (exportOpen.peek() === from) exportOpen.value = to;
@@ -43,18 +54,21 @@ const close = leave("share", null);
 export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefined }) {
   const [start, setStart] = useState<(typeof STARTS)[number]["value"]>("here");
   const [moves, setMoves] = useState<Moves>(openedTool().tool?.timeline ? "once" : "still");
+  const [ground, setGround] = useState<Grounds>("page");
   const [told, setTold] = useState("");
   const [seen, setSeen] = useState("");
   // Once it stands, the address is read again.
   const [, setStood] = useState(false);
-  const address = addressWith(start, moves);
+  const address = addressWith(start, moves, ground === "here" ? (dark.value ? "dark" : "light") : null);
   useEffect(() => {
     // What is sent is what is seen. The address bar holds all of the document, for whoever comes back to it here.
     if (moving()) openedTool().tool?.timeline?.toggle();
     link.flush();
     setStood(true);
-    void seenWords().then(setSeen);
   }, []);
+  useEffect(() => {
+    void seenWords(ground === "here").then(setSeen);
+  }, [ground]);
   if (address === null) {
     return (
       <Dialog title="Share" onClose={close}>
@@ -104,6 +118,15 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
             />
           </>
         )}
+        <ChoiceRow
+          label="Light or dark"
+          options={GROUNDS(dark.value)}
+          value={ground}
+          onChange={(next) => {
+            setGround(next);
+            setTold(CHANGED);
+          }}
+        />
         <QrCode address={address} />
         {"share" in navigator && (
           <div class={css["share-more"]}>
@@ -149,10 +172,11 @@ const COPIED = "Copied.";
 const CHANGED = "The link has changed: copy it again.";
 
 /** What is the same for all who open the link: the background belongs to a picture of space, and else to the page. */
-async function seenWords(): Promise<string> {
+async function seenWords(same: boolean): Promise<string> {
   if (pictureShown.peek() !== null && ownPicture.peek()) {
     return "The link holds the bend, and not the picture: that stays here.";
   }
+  if (same) return "Whoever opens the link sees the same picture.";
   if (scene.peek().tool !== "space")
     return "Whoever opens the link sees the same, light or dark as their page is.";
   const { space } = await import("#document/space/space");
@@ -162,7 +186,7 @@ async function seenWords(): Promise<string> {
     : "Whoever opens the link sees the same picture.";
 }
 
-function addressWith(start: "here" | "first", moves: Moves): string | null {
+function addressWith(start: "here" | "first", moves: Moves, theme: "light" | "dark" | null): string | null {
   const { deform, space } = scene.peek();
   const first = {
     t: 0,
@@ -171,7 +195,8 @@ function addressWith(start: "here" | "first", moves: Moves): string | null {
   };
   const fragment = fragmentOf({ ...scene.peek(), ...(start === "first" ? first : {}) });
   if (fragment === null) return null;
-  return `${location.origin}${location.pathname}${QUERY[moves]}#${fragment}`;
+  const query = theme ? `${QUERY[moves]}&theme=${theme}` : QUERY[moves];
+  return `${location.origin}${location.pathname}${query}#${fragment}`;
 }
 
 /** What is seen of a document as a fragment; null where no link can hold it. */
@@ -187,13 +212,14 @@ function fragmentOf(now: Scene): string | null {
 export function frameOf(address: string): string {
   const url = new URL(address);
   url.pathname = url.pathname.replace(/[^/]*$/, "embed.html");
-  return `<iframe src="${escaped(url.href)}" title="A fractal in Frond" width="640" height="400" loading="lazy"></iframe>`;
+  return `<iframe src="${escaped(url.href)}" title="A fractal in Frond" width="640" height="400" style="border:0;max-width:100%" loading="lazy"></iframe>`;
 }
 
-/** The same as an element, with the script that defines it. */
+/** The same as an element as large, with the script that defines it. */
 export function elementOf(address: string, moves: Moves): string {
-  const script = new URL("frond-view.js", address).href;
-  return `<script src="${escaped(script)}"></script>\n<frond-view src="${escaped(address)}" controls${AUTOPLAY[moves]}></frond-view>`;
+  const script = new URL("./frond-view.js", address).href;
+  const theme = themeOf(address);
+  return `<script src="${escaped(script)}"></script>\n<frond-view src="${escaped(address)}"${theme ? ` theme="${theme}"` : ""} style="max-width:640px;aspect-ratio:640/400" controls${AUTOPLAY[moves]}></frond-view>`;
 }
 
 /** What came of it, in words. */

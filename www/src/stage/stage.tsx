@@ -97,7 +97,7 @@ export function Stage({
       <div
         class={both ? `${css["pictures"]} two` : css["pictures"]}
         role="application"
-        aria-label={`The ${bare === "curves" ? "curve" : "attractor"}. Arrow keys move it, plus and minus zoom, 0 fits it to the stage.`}
+        aria-label={`The ${bare === "curves" ? "curve" : "attractor"}. Arrow keys move it, plus and minus zoom, 0 fits it to the stage.${tool.value === "morph" ? " D says what it looks like." : ""}`}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
         tabIndex={0}
         onKeyDown={(event) => {

@@ -2,6 +2,7 @@
  * What an embedded Frond and the page around it say to each other, by `postMessage`. Every message is an object with
  * `frond: 1`, which is the version, and a `type`.
  */
+import { themeIn } from "#document/preferences";
 
 /** What the page around may ask. */
 export type Asked =
@@ -61,13 +62,12 @@ export interface EmbedOptions {
 /** `embed.html?verdict&theme=dark&origin=https://example.org#a=fern` */
 export function optionsIn(search: string): EmbedOptions {
   const query = new URLSearchParams(search);
-  const theme = query.get("theme");
   return {
     locus: query.has("locus"),
     verdict: query.has("verdict"),
     panel: query.has("panel"),
     controls: query.get("controls") !== "none",
-    theme: theme === "light" || theme === "dark" ? theme : null,
+    theme: themeIn(search),
     origin: originOf(query.get("origin")),
   };
 }

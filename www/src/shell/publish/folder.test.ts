@@ -41,6 +41,15 @@ describe("a published folder", () => {
     expect(studioOf("http://localhost:4700/index.html?a=b/c#d/e")).toBe("http://localhost:4700/");
   });
 
+  it("is light or dark as its address says", () => {
+    expect(indexPage(plain)).toContain('theme="auto"');
+    const dark = indexPage({ ...plain, address: "https://frond.example/app/?play&theme=dark#a=fern" });
+    expect(dark).toContain('theme="dark"');
+    expect(dark).toContain('<meta name="color-scheme" content="dark" />');
+    const none = indexPage({ ...plain, address: "https://frond.example/app/?theme=%22%3E#a=fern" });
+    expect(none).toContain('theme="auto"');
+  });
+
   it("names whole addresses only where it is known where it will be", () => {
     expect(indexPage(plain)).not.toMatch(/canonical|og:image|og:url/);
     const html = indexPage({ ...plain, home: "https://example.org/fern/" });

@@ -1,4 +1,5 @@
 /** The texts of a published folder. Whatever a document brings stands in them as text. */
+import { themeIn } from "#document/preferences";
 import { escaped } from "#format/html";
 
 /** Of pictures that unfold, as most messengers want them. */
@@ -61,6 +62,9 @@ function unfolding({ title, about, home, film }: Publication): string[] {
   ];
 }
 
+/** Whether the picture is light or dark whatever the page of its readers is. */
+export const themeOf = (address: string) => themeIn(new URL(address).search);
+
 /** The page of the folder: read without a program, and with the real thing where there may be one. */
 export function indexPage(publication: Publication): string {
   const { title, about, address, moves, film } = publication;
@@ -71,7 +75,7 @@ export function indexPage(publication: Publication): string {
   <head>
     <meta charset="utf-8" />
     <meta name="viewport" content="width=device-width, initial-scale=1" />
-    <meta name="color-scheme" content="light dark" />
+    <meta name="color-scheme" content="${themeOf(address) ?? "light dark"}" />
     <title>${label}</title>
     <meta name="description" content="${escaped(about)}" />
     <link rel="icon" href="data:," />
@@ -83,7 +87,7 @@ export function indexPage(publication: Publication): string {
     <main>
       <h1>${label}</h1>
       <p>${escaped(about)}</p>
-      <frond-view src="${escaped(address)}" studio="${escaped(studioOf(address))}" poster="picture.png" label="${label}" theme="auto" controls${AUTOPLAY[moves]}></frond-view>
+      <frond-view src="${escaped(address)}" studio="${escaped(studioOf(address))}" poster="picture.png" label="${label}" theme="${themeOf(address) ?? "auto"}" controls${AUTOPLAY[moves]}></frond-view>
       <noscript><img src="${picture}" alt="${label}" /></noscript>
       <p><a href="${escaped(address)}">Open in Frond</a>${film ? ` · <a href="${film.name}">The film</a>` : ""}</p>
     </main>

@@ -1,5 +1,6 @@
 /** What keys do while the morph is open. */
 import { here, locusView, selection } from "#document/morph";
+import { announce } from "#document/notice";
 import { pause, play, playing } from "#document/playback";
 import { edit, scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
@@ -113,6 +114,14 @@ export const commands: readonly Command[] = [
   colourCommand(["map", "address", "density"], SHAPES, (colouring) =>
     edit((before) => (before.colouring === colouring ? before : { ...before, colouring })),
   ),
+  {
+    id: "describe",
+    label: "Say what the picture looks like",
+    group: SHAPES,
+    keys: ["D"],
+    run: () =>
+      void import("./evidence/describe").then(async ({ describeStage }) => announce(await describeStage())),
+  },
   // What stands in their place is no system to write.
   exportCommand(() => !standIn.peek()),
   ...everywhere(),

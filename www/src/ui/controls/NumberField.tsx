@@ -29,7 +29,7 @@ export interface NumberFieldProps {
   /** By steps of 1, and without decimals. */
   whole?: boolean;
   unit?: string;
-  /** Show only the symbol; the name is still read out and is the tooltip. */
+  /** Show only the symbol; the name alone is read out, and is the tooltip. */
   terse?: boolean;
   disabled?: boolean;
   /** Takes a value, or says in a sentence why it cannot be; then the last good value stays. */
@@ -93,7 +93,11 @@ export function NumberField(props: NumberFieldProps) {
     <div class={`field ${problem === null ? "" : "invalid"}`} title={terse ? label : undefined}>
       <label for={id} class={`field-label ${terse && symbol === undefined ? "unseen" : ""}`}>
         {terse ? <span class="unseen">{label}</span> : <span>{label}</span>}
-        {symbol !== undefined && <span class="symbol">{symbol}</span>}
+        {symbol !== undefined && (
+          <span class="symbol" {...(terse ? { "aria-hidden": true } : {})}>
+            {symbol}
+          </span>
+        )}
       </label>
       <span class="field-box">
         <input

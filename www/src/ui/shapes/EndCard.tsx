@@ -1,6 +1,9 @@
-import type { ComponentChildren } from "preact";
+import { type ComponentChildren, createRef } from "preact";
 import { IconButton } from "../controls/Button";
 import css from "./ends.module.css";
+
+/** The buttons that ask for another shape, where the focus goes once one is chosen. */
+export const CARDS = { a: createRef<HTMLButtonElement>(), b: createRef<HTMLButtonElement>() };
 
 interface EndCardProps {
   end: "a" | "b";
@@ -24,6 +27,7 @@ export function EndCard(props: EndCardProps) {
       <button
         type="button"
         class={css["card-face"]}
+        ref={CARDS[end]}
         aria-haspopup="dialog"
         aria-label={`Shape ${letter}: ${name}, ${note}. Choose another`}
         title="Choose another shape"

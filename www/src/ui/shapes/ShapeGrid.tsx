@@ -2,6 +2,7 @@ import { useRef, useState } from "preact/hooks";
 import { beginChoice } from "#document/choice";
 import css from "./shape-grid.module.css";
 import { Thumbnail } from "./Thumbnail";
+import { placeTyped } from "./type-ahead";
 
 /** A shape to choose. */
 export interface ShapeItem {
@@ -31,6 +32,9 @@ export function mapsNote({ maps }: { maps: readonly unknown[] }): string {
   return `${maps.length} ${maps.length === 1 ? "map" : "maps"}`;
 }
 
+/** Letters within this time of each other are of one name. */
+const TYPING_MS = 900;
+
 /** Every preset, with its picture and one sentence; arrows walk the grid. */
 export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
   const { presets: all, pictures, chosen, noteOf, markOf, onChoose, dim = false } = props;
@@ -42,14 +46,34 @@ export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
   );
   const list = useRef<HTMLUListElement>(null);
 
+  const typed = useRef({ text: "", at: 0 });
+  /** The place of the name that is typed, letter by letter; null where the key types nothing. */
+  const typing = ({ key, ctrlKey, metaKey, altKey, timeStamp }: KeyboardEvent): number | null => {
+    if (key.length !== 1 || key === " " || ctrlKey || metaKey || altKey) return null;
+    const { text, at } = typed.current;
+    typed.current = { text: timeStamp - at < TYPING_MS ? text + key : key, at: timeStamp };
+    return placeTyped(
+      all.map(({ name }) => name),
+      active,
+      typed.current.text,
+    );
+  };
   const walk = (event: KeyboardEvent) => {
     const items = [...(list.current?.querySelectorAll<HTMLButtonElement>("button") ?? [])];
     // The style sheet decides how many are in a row: count those at the height of the first.
     const top = items[0]?.offsetTop ?? 0;
     const across = Math.max(1, items.filter((item) => item.offsetTop === top).length);
     const by = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: across, ArrowUp: -across }[event.key];
+    const named = typing(event);
     const to =
-      event.key === "Home" ? 0 : event.key === "End" ? items.length - 1 : by === undefined ? -1 : active + by;
+      named ??
+      (event.key === "Home"
+        ? 0
+        : event.key === "End"
+          ? items.length - 1
+          : by === undefined
+            ? -1
+            : active + by);
     if (to < 0 || to >= items.length) return;
     event.preventDefault();
     setActive(to);

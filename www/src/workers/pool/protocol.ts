@@ -185,6 +185,7 @@ export type Channel =
   | "boundary"
   | "causes"
   | "hover"
+  | "describe"
   | "card"
   | "window"
   | "window-proofs"

@@ -1,16 +1,17 @@
+import { useEffect, useState } from "preact/hooks";
 import { told } from "#compute/proof";
 import { verdict } from "#compute/results";
 import { pieceColours } from "#document/colours";
 import { boxOf } from "#document/framing";
 import { shown } from "#document/morph";
 import { notify, wordsOf } from "#document/notice";
-import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import { percent } from "#format/path-words";
 import { shareOf, shareWords, verdictWords } from "#format/verdict";
 import { hulls } from "#stage/evidence/marks";
 import { EvidencePanel } from "#stage/evidence/Panel";
 import { evidenceKept } from "#stage/evidence/shown";
+import { stageStyle } from "#stage/picture-style";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { download, plainName } from "#ui/files/download";
@@ -51,6 +52,7 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
       )}
       {answer.components.length > 0 && <Groups answer={answer} />}
       {answer.verdict === "disconnected" && <Why kind="apart" />}
+      <InWords answer={answer} />
       {isWritten(answer) && <Proof connected={answer.verdict === "connected"} />}
       <Switch
         checked={evidenceKept.value}
@@ -91,6 +93,28 @@ async function saveDrawing(answer: Connectedness, epsilon: number): Promise<void
   } catch (problem) {
     notify({ kind: "error", text: `The drawing could not be saved: ${wordsOf(problem)}` });
   }
+}
+
+/** What the shape looks like, for those who do not see it. */
+function InWords({ answer }: { answer: Connectedness }) {
+  const [words, setWords] = useState("");
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another answer is about another picture
+  useEffect(() => {
+    let current = true;
+    void import("./describe")
+      .then(({ describeStage }) => describeStage())
+      .then((said) => current && setWords(said))
+      .catch(() => {});
+    return () => {
+      current = false;
+    };
+  }, [answer]);
+  return (
+    <details>
+      <summary>The picture in words</summary>
+      <p>{words}</p>
+    </details>
+  );
 }
 
 /** Kinds of reasons that are written down as certificates. */
@@ -159,7 +183,7 @@ function Groups({ answer }: { answer: Connectedness }) {
         count={count}
         angles={maps.length === count ? anglesOf(maps) : answer.components.map((_, i) => i)}
         edges={answer.overlaps}
-        colours={pieceColours(dark.value ? "dark" : "light")}
+        colours={stageStyle.value.palette}
         label={`Which pieces meet: ${answer.overlaps.map(([i, j]) => `${i + 1} with ${j + 1}`).join(", ") || "none"}`}
       />
       <figcaption>
