@@ -3,7 +3,7 @@ import { thumbnails } from "#compute/results";
 import { thumbnailsOf } from "#compute/thumbnails";
 import { DirectedThumb } from "#directed/Thumb";
 import { sizeWords } from "#directed/words";
-import { beginChoice } from "#document/choice";
+import { beginChoice } from "#document/editing/choice";
 import { announce, notify, wordsOf } from "#document/notice";
 import { LONGEST_NAME, type OwnShape, ownShapes, removeOwnShape, renameOwnShape } from "#document/own-shapes";
 import { withWeights } from "#geometry/maps/weighted";

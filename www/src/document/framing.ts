@@ -6,7 +6,8 @@ import type { Deformation, MapRow } from "#wasm/api";
 import { boxOf } from "./bounds";
 import { curveBoxAt, curveMorph } from "./curve/curve";
 import { aspect, mapsOfRectangle } from "./deform/photograph";
-import { editFrame } from "./edit-frame";
+import { editFrame } from "./editing/frame";
+import { type Taken, takenOf } from "./editing/whole";
 import {
   held,
   locusView,
@@ -20,7 +21,6 @@ import {
 } from "./morph";
 import { scene } from "./scene";
 import { directedBoxAt, standIn } from "./stand-in";
-import { type Taken, takenOf } from "./whole";
 
 export { type Box, diagonal } from "#geometry/boxes";
 export { boxOf } from "./bounds";

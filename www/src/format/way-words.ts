@@ -3,7 +3,7 @@ import { decompose } from "#geometry/maps/affine2";
 import type { PathPlan, Route } from "#wasm/api";
 import { shareWords } from "./verdict";
 
-/** What another way would do with shape `b`, in one line, and why. Null is the present one, with the third parameter. */
+/** What a way would do with shape `b`, in one line, and why. Null is the present one, with the third parameter. */
 export function offerWords(
   way: Pick<Route, "kind" | "about" | "place"> | null,
   plan: Pick<PathPlan, "holds" | "gap">,

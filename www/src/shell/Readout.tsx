@@ -1,5 +1,5 @@
 import { computed } from "@preact/signals";
-import { outOfView } from "#document/edit-frame";
+import { outOfView } from "#document/editing/frame";
 import { here, locusView, selection } from "#document/morph";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";

@@ -7,7 +7,7 @@
  * brings that one back, as any link does, and that can be undone.
  */
 import { effect } from "@preact/signals";
-import { onChoice } from "#document/choice";
+import { onChoice } from "#document/editing/choice";
 import { openings, route } from "#document/link";
 import { edit, scene } from "#document/scene";
 import { openTool } from "#document/tool";

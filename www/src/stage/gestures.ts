@@ -1,5 +1,5 @@
 /** Hands and keys on the picture: they move and enlarge the view. */
-import { refitEdited } from "#document/edit-frame";
+import { refitEdited } from "#document/editing/frame";
 import { panned, type Screen, screen, zoomed } from "#geometry/coordinates";
 import { attachPanZoom, type PanZoom, panZoomKey } from "#ui/panZoom";
 import { effectiveView, fitView, stageSize, view } from "./view";

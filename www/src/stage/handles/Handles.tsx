@@ -2,11 +2,11 @@
 import { computed } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect } from "preact/hooks";
-import { carryFrame, editFrame } from "#document/edit-frame";
+import { carryFrame, editFrame } from "#document/editing/frame";
+import { placeShape, STILL, takenOf } from "#document/editing/whole";
 import { type Box, boxOfTaken } from "#document/framing";
 import { selection } from "#document/morph";
 import { edit, inGesture, scene } from "#document/scene";
-import { placeShape, STILL, takenOf } from "#document/whole";
 import { UNIT } from "#geometry/boxes";
 import { cornersOf } from "#geometry/parallelogram";
 import { restsOf } from "#geometry/snap";

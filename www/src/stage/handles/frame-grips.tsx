@@ -1,6 +1,6 @@
 /** The frame of the shape that is edited, drawn by two of its corners. */
 import { signal } from "@preact/signals";
-import { editFrame, setFrame } from "#document/edit-frame";
+import { editFrame, setFrame } from "#document/editing/frame";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
 import { scene } from "#document/scene";

@@ -1,8 +1,8 @@
 import { useRef, useState } from "preact/hooks";
-import { beginChoice } from "#document/choice";
+import { beginChoice } from "#document/editing/choice";
+import { placeTyped } from "../type-ahead";
 import css from "./shape-grid.module.css";
 import { Thumbnail } from "./Thumbnail";
-import { placeTyped } from "./type-ahead";
 
 /** A shape to choose. */
 export interface ShapeItem {

@@ -1,5 +1,5 @@
 import { useEffect } from "preact/hooks";
-import { editFrame, frameAround, setFrame } from "#document/edit-frame";
+import { editFrame, frameAround, setFrame } from "#document/editing/frame";
 import { scene } from "#document/scene";
 import { type Box, UNIT } from "#geometry/boxes";
 import { frameShown } from "#stage/handles/frame-grips";

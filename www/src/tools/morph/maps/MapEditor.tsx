@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { editFrame } from "#document/edit-frame";
+import { editFrame } from "#document/editing/frame";
 import { ranks, selection } from "#document/morph";
 import { announce, wordsOf } from "#document/notice";
 import { LONGEST_NAME } from "#document/own-shapes";

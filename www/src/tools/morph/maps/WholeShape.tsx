@@ -1,8 +1,8 @@
 import { computed } from "@preact/signals";
+import { placeShape, STILL, takenOf } from "#document/editing/whole";
 import { boxOf } from "#document/framing";
 import { selection } from "#document/morph";
 import { scene } from "#document/scene";
-import { placeShape, STILL, takenOf } from "#document/whole";
 import { after2, determinant } from "#geometry/maps/affine2";
 import { inPlane } from "#geometry/maps/row";
 import { HandPanel } from "#ui/hand/HandPanel";

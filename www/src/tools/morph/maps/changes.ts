@@ -1,5 +1,5 @@
 /** What the editor of maps does to the document, as functions from scene to scene. */
-import { carryFrame } from "#document/edit-frame";
+import { carryFrame } from "#document/editing/frame";
 import { carriedWeights, withWeights } from "#geometry/maps/weighted";
 import type { MapRow, Scene } from "#wasm/api";
 import { type End, withShape } from "../changes";

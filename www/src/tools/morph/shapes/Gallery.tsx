@@ -1,11 +1,11 @@
 import { PresetGallery } from "#curve/PresetGallery";
 import { DirectedShelf } from "#directed/Shelf";
-import { beginChoice } from "#document/choice";
 import { tellReplaced } from "#document/curve/replaced";
 import { editSystems } from "#document/curve/systems";
 import { systemOf } from "#document/directed/changes";
 import { chooseDirected, chooseSystem } from "#document/directed/edits";
-import { setFrame } from "#document/edit-frame";
+import { beginChoice } from "#document/editing/choice";
+import { setFrame } from "#document/editing/frame";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
 import { presets } from "#document/presets";

@@ -9,10 +9,10 @@ const bounds = ({ maps }: { maps: MapRow[] }) => {
 };
 vi.mock("#wasm/core", () => ({ frond: { bounds } }));
 
-const { selection } = await import("./morph");
-const { edit, endGesture, scene, start, undo } = await import("./scene");
+const { selection } = await import("../morph");
+const { edit, endGesture, scene, start, undo } = await import("../scene");
 const { carryFrame, editFrame, frameAround, frameOf, outOfView, refitEdited, setFrame } = await import(
-  "./edit-frame"
+  "./frame"
 );
 
 const at = (x: number, y: number, s = 0.5): MapRow => [s, 0, 0, s, x, y];

@@ -6,9 +6,9 @@ import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { type Box, UNIT, union } from "#geometry/boxes";
 import { cornersOf } from "#geometry/parallelogram";
 import type { MapRow } from "#wasm/api";
-import { boxOf } from "./bounds";
-import { selection } from "./morph";
-import { inGesture, scene } from "./scene";
+import { boxOf } from "../bounds";
+import { selection } from "../morph";
+import { inGesture, scene } from "../scene";
 
 export interface EditFrame {
   box: Box;

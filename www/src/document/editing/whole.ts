@@ -6,7 +6,7 @@
 import { withWeights } from "#geometry/maps/weighted";
 import type { MapRow, Shape } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { edit, scene } from "./scene";
+import { edit, scene } from "../scene";
 
 /** The shape as it was taken in hand, and all that was done to it since. */
 export interface Taken {
