@@ -25,7 +25,7 @@ export interface PanZoom {
   /** What the first pointer of a gesture begins instead. */
   begin?(event: PointerEvent, at: Screen): Stroke | null;
   /** A press that moved nothing, though it may tremble. */
-  tap?(at: Screen): void;
+  tap?: ((at: Screen) => void) | undefined;
 }
 
 const WHEEL_REST_MS = 250;

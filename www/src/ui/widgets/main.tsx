@@ -11,6 +11,7 @@ import { useState } from "preact/hooks";
 import { Segmented } from "../controls/Segmented";
 import { Controls } from "./Controls";
 import { Hand } from "./Hand";
+import { Orbits } from "./Orbits";
 import { Panels } from "./Panels";
 import { Shapes } from "./Shapes";
 import css from "./widgets.module.css";
@@ -32,7 +33,7 @@ function Page() {
       </h1>
       <a href="../index.html">The studio</a>
       <Segmented label="Theme" options={THEMES} value={theme} onChange={setTheme} />
-      {Object.entries({ Controls, Panels, Shapes, Hand }).map(([name, Part]) => (
+      {Object.entries({ Controls, Panels, Shapes, Hand, Orbits }).map(([name, Part]) => (
         <section key={name}>
           <h2>{name}</h2>
           <div class={css["widgets"]}>
