@@ -5,6 +5,9 @@ import { attachPanZoom, type PanZoom, panZoomKey } from "#ui/panZoom";
 import { effectiveView, fitView, stageSize, view } from "./view";
 import { keepView } from "./view-link";
 
+/** What a tap on the picture does, while somebody asks for one. */
+export const pictureTap: { does: ((at: Screen) => void) | null } = { does: null };
+
 const PICTURE: PanZoom = {
   pan(dx, dy) {
     view.value = panned(effectiveView.peek(), dx, dy);
@@ -12,6 +15,10 @@ const PICTURE: PanZoom = {
   zoom: zoomBy,
   fit: fitStage,
   rest: keepView,
+  // Without it a drag moves the picture from its first pixel on.
+  get tap() {
+    return pictureTap.does ?? undefined;
+  },
 };
 
 /** Pan, pinch and wheel on one picture. Returns the end of it. */

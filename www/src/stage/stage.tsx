@@ -38,7 +38,8 @@ const comparing = computed(
 /** Whoever edits maps sees them as they are. */
 const mainBend = computed(() => (selection.value === null ? bend.value : null));
 const polar = computed(() => mapsAt(uv.value, { ...morphOptions.value, mode: "polar" }));
-const mainMaps = computed(() => {
+/** The maps of the main picture. */
+export const mainMaps = computed(() => {
   if (pictureShown.value) return pictureMaps.value;
   return comparing.value ? polar.value : shown.value;
 });

@@ -1,8 +1,10 @@
 import { edit } from "#document/scene";
 import { Palettes } from "#stage/later";
+import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Colouring, Mode } from "#wasm/api";
+import { FOLLOW, orbitOpen, toggleOrbit } from "./dialogs";
 import css from "./morph.module.css";
 import { colouring, compare, mode } from "./parts";
 
@@ -47,6 +49,16 @@ export function MotionPanel() {
         onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
       />
       <Palettes />
+      <div class="row">
+        <Button
+          description="Apply the maps to a point one by one, or read its address"
+          command="orbit"
+          buttonRef={FOLLOW}
+          onClick={toggleOrbit}
+        >
+          {orbitOpen.value ? "End following the point" : "Follow a point"}
+        </Button>
+      </div>
     </section>
   );
 }

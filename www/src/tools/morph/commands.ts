@@ -8,7 +8,7 @@ import { colourCommand, fitCommand, galleryCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
-import { editMaps, gallery, takeWhole } from "./dialogs";
+import { editMaps, gallery, takeWhole, toggleOrbit } from "./dialogs";
 import { course, placeOf } from "./locus/families/course";
 import { toggleFull, toggleLarge } from "./locus/view/large";
 import { frames } from "./strip/FilmStrip";
@@ -58,6 +58,11 @@ export const commands: readonly Command[] = [
     ["map-zoom", "Nearer, farther, all of it", "+", "−", "0"],
     ["cross-show", "Show the shape under the cross", "Enter"],
     ["cross-way", "Make it a way point", "A"],
+  ]),
+  ...widgetKeys("A point that is followed", [
+    ["orbit-map", "Apply the map of this number", "1", "…", "9"],
+    ["orbit-back", "One step back", "Backspace"],
+    ["orbit-move", "Move the point, in focus; Shift finer", "←", "→", "↑", "↓"],
   ]),
   galleryCommand(SHAPES, () => {
     gallery.value = selection.peek()?.target ?? "a";
@@ -109,6 +114,14 @@ export const commands: readonly Command[] = [
     keys: ["Shift+L"],
     enabled: () => !standIn.peek(),
     run: () => void toggleFull(),
+  },
+  {
+    id: "orbit",
+    label: "Follow a point, map by map, and end it",
+    group: SHAPES,
+    keys: ["Shift+O"],
+    enabled: () => !standIn.peek(),
+    run: toggleOrbit,
   },
   { ...fitCommand(), group: SHAPES },
   colourCommand(["map", "address", "density"], SHAPES, (colouring) =>

@@ -19,13 +19,34 @@ export function askForNew(target: End): void {
 /** Opens the maps of a shape. The evidence, which may lie over them, makes room. */
 export function editMaps(target: End): void {
   evidenceOpen.value = false;
+  orbitOpen.value = false;
   selection.value = { target, map: 0 };
 }
 
 /** Takes a shape in hand, as a whole. */
 export function takeWhole(target: End): void {
   evidenceOpen.value = false;
+  orbitOpen.value = false;
   selection.value = { target, map: 0, whole: true };
+}
+
+/** Whether a point is followed on the stage. */
+export const orbitOpen = signal(false);
+
+/** The button that begins it. */
+export const FOLLOW = createRef<HTMLButtonElement>();
+
+/** Begins to follow a point, or ends it. The maps of a shape, and the evidence, make room. */
+export function toggleOrbit(): void {
+  const open = !orbitOpen.peek();
+  orbitOpen.value = open;
+  if (!open) {
+    // It is drawn after the state has changed.
+    requestAnimationFrame(() => FOLLOW.current?.focus());
+    return;
+  }
+  evidenceOpen.value = false;
+  selection.value = null;
 }
 
 /** The buttons that do, by the end whose maps they open. */

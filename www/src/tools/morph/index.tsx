@@ -4,8 +4,8 @@ import { selection } from "#document/morph";
 import { standIn } from "#document/stand-in";
 import { narrow } from "#ui/media";
 import { PanelFoot } from "#ui/panel/PanelFoot";
-import { gallery } from "./dialogs";
-import { Gallery, MapEditor, MotionPanel, OtherWays, StandIn } from "./later";
+import { gallery, orbitOpen } from "./dialogs";
+import { Gallery, MapEditor, MotionPanel, OrbitPanel, OtherWays, StandIn } from "./later";
 import { LocusBeside, LocusPanel } from "./locus/LocusPanel";
 import { PathPanel } from "./locus/path/PathPanel";
 import { family } from "./locus/view/view";
@@ -33,6 +33,7 @@ function Systems() {
   return (
     <>
       {/* What is worked on stands on top. */}
+      {orbitOpen.value && <OrbitPanel />}
       {editing !== null && (
         <MapEditor
           key={editing.target}

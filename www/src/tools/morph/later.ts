@@ -12,6 +12,8 @@ const pairWords = () => import("./pairs/PairWords").then((module) => module.Pair
 const wayElse = () => import("./locus/path/WayElse").then((module) => module.WayElse);
 const familyLines = () => import("./locus/families/FamilyLines").then((module) => module.FamilyLines);
 const familyStrip = () => import("./locus/families/FamilyStrip").then((module) => module.FamilyStrip);
+const orbitOverlay = () => import("./orbit/OrbitOverlay").then((module) => module.OrbitOverlay);
+const orbitPanel = () => import("./orbit/OrbitPanel").then((module) => module.OrbitPanel);
 const otherWays = () => import("./locus/path/OtherWays").then((module) => module.OtherWays);
 const tickOrigins = () => import("./locus/view/TickOrigins").then((module) => module.TickOrigins);
 const standIn = () => import("./StandIn").then((module) => module.StandIn);
@@ -28,6 +30,8 @@ export const PairWords = lazily(pairWords);
 export const WayElse = lazily(wayElse);
 export const FamilyLines = lazily(familyLines);
 export const FamilyStrip = lazily(familyStrip);
+export const OrbitOverlay = lazily(orbitOverlay);
+export const OrbitPanel = lazily(orbitPanel);
 export const OtherWays = lazily(otherWays);
 export const TickOrigins = lazily(tickOrigins);
 export const StandIn = lazily(standIn);
@@ -48,6 +52,8 @@ export const fetchAhead = () =>
     familyLines(),
     familyNotes(),
     familyStrip(),
+    orbitOverlay(),
+    orbitPanel(),
     otherWays(),
     standIn(),
     tickOrigins(),

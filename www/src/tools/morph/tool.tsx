@@ -3,8 +3,9 @@ import { evidenceOpen } from "#stage/evidence/shown";
 import { MapOverlay } from "#stage/stage";
 import type { ToolEntry } from "#stage/tool";
 import { commands, timeline } from "./commands";
+import { orbitOpen } from "./dialogs";
 import { MorphPanel } from "./index";
-import { fetchAhead, MorphEvidence, StandIn } from "./later";
+import { fetchAhead, MorphEvidence, OrbitOverlay, StandIn } from "./later";
 import { MorphChip } from "./MorphChip";
 import { namedMaps } from "./parts";
 import { MorphStrip } from "./strip/MorphStrip";
@@ -15,7 +16,12 @@ export const morph: ToolEntry = {
   title: "Frond: morph one fractal into another",
   side: "Shapes and path",
   tool: {
-    Overlay: MapOverlay,
+    Overlay: () => (
+      <>
+        <MapOverlay />
+        {orbitOpen.value && !standIn.value && <OrbitOverlay />}
+      </>
+    ),
     Verdict: () => (standIn.value ? <StandIn part="chip" /> : <MorphChip />),
     Evidence: () => (standIn.value ? <StandIn part="evidence" /> : evidenceOpen.value && <MorphEvidence />),
     Panel: MorphPanel,
