@@ -100,6 +100,11 @@ describe("a throw", () => {
     expect([0, 0.5, 0.99].map((chance) => thrown(3, chance, [0, 1, 0]))).toEqual([1, 1, 1]);
     expect(thrown(3, 0.999999, [0.1, 0.2, 0.3])).toBe(2);
     expect(thrown(3, 0.5, [0, 0, 0])).toBe(1);
-    expect(new Set(Array.from({ length: 100 }, (_, n) => hash(n) % 3)).size).toBe(3);
   });
+});
+
+it("hashes evenly into 32 bits", () => {
+  const ones = Array.from({ length: 4096 }, (_, n) => hash(n));
+  expect(new Set(ones).size).toBe(4096);
+  expect(ones.every((x) => Number.isInteger(x) && x >= 0 && x < 2 ** 32)).toBe(true);
 });

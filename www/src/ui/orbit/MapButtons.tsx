@@ -44,9 +44,10 @@ export function MapButtons({ verb, count, colours, disabled = false, onMap }: Ma
           class={`button ${css["orbit-button"]}`}
           aria-label={`${verb} ${letter + 1}`}
           title={`${verb} ${letter + 1} (key ${letter + 1})`}
-          disabled={disabled}
+          // Not `disabled`: that would take the focus from whoever has pressed it, and the keys with it.
+          aria-disabled={disabled}
           style={{ "--map-colour": colours[letter % Math.max(1, colours.length)] }}
-          onClick={() => onMap(letter)}
+          onClick={() => !disabled && onMap(letter)}
         >
           {letter + 1}
         </button>

@@ -53,15 +53,20 @@ export function OrbitPath(props: OrbitPathProps) {
           d={path}
         />
       ))}
-      {recent.map(([x, y], i) => (
-        <circle
-          key={first + i}
-          class={i === recent.length - 1 ? css["orbit-here"] : css["orbit-dot"]}
-          cx={x.toFixed(1)}
-          cy={y.toFixed(1)}
-          r={(i === recent.length - 1 ? 6 : 3.5) * size}
-        />
-      ))}
+      {recent.map(([x, y], i) => {
+        const isHere = i === recent.length - 1;
+        const letter = first + i === 0 ? null : (letters[first + i - 1] ?? null);
+        return (
+          <circle
+            key={first + i}
+            class={isHere ? css["orbit-here"] : css["orbit-dot"]}
+            style={letter === null ? {} : { fill: colourOf(letter) }}
+            cx={x.toFixed(1)}
+            cy={y.toFixed(1)}
+            r={(isHere ? 6 : 4) * size}
+          />
+        );
+      })}
       {steps.map(
         ({ index, letter, middle: [x, y], long }) =>
           long > ROOM * size && (

@@ -1,8 +1,8 @@
 /** The chaos game with dice of uneven chances, and where its marks lie. */
+import { hash } from "#geometry/maps/orbit";
 import type { MapRow } from "#wasm/api";
 import { determinant, fixedPoint } from "../../kit/maps/families";
 import { apply } from "../../kit/maps/pieces";
-import { hash } from "../lesson-2/throws";
 
 export interface Game {
   /** x0, y0, x1, y1, .. */

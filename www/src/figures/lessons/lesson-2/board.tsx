@@ -1,6 +1,7 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
+import { OrbitPath } from "#ui/orbit/OrbitPath";
 import type { Point } from "../../kit/maps/pieces";
 import { pictured, usePixels } from "../../kit/picture/canvas";
 import { useValue } from "../../kit/workers";
@@ -18,8 +19,8 @@ interface BoardProps {
   onThrow?: (corner: number) => void;
 }
 
-/** So many of the latest throws are drawn as ways. */
-const WAYS = 5;
+/** Among more marks than this nobody sees the latest throws. */
+const FOLLOWED = 400;
 const UNITS = { width: 400, height: 360, side: 340, left: 30, bottom: 326 };
 
 const place = ([x, y]: Point): Point => [UNITS.left + x * UNITS.side, UNITS.bottom - y * UNITS.side];
@@ -34,7 +35,6 @@ export function Board({ game, count, label, holes = [], onThrow }: BoardProps) {
   useLayoutEffect(() => {
     if (canvas.current && pixels) paint(canvas.current, game, pixels, colours);
   }, [game, count, pixels, onDark]);
-  const ways = game.points.slice(-WAYS - 1);
   const press = (event: PointerEvent) => {
     const svg = event.currentTarget as SVGSVGElement;
     const box = svg.getBoundingClientRect();
@@ -60,10 +60,15 @@ export function Board({ game, count, label, holes = [], onThrow }: BoardProps) {
             d={`M${hole.map((p) => place(p).join(" ")).join("L")}Z`}
           />
         ))}
-        {count < 400 && ways.length > 1 && (
-          <path class={css["throw-way"]} d={`M${ways.map((p) => place(p).join(" ")).join("L")}`} />
+        {count < FOLLOWED && (
+          <OrbitPath
+            points={game.points}
+            letters={game.corners}
+            colours={colours}
+            place={place}
+            trail={false}
+          />
         )}
-        {count < 400 && <circle class={css["throw-here"]} r={6} {...at(place(game.here))} />}
         {CORNERS.map((corner, i) => (
           <g
             key={corner.join()}
@@ -80,8 +85,6 @@ export function Board({ game, count, label, holes = [], onThrow }: BoardProps) {
     </div>
   );
 }
-
-const at = ([cx, cy]: Point) => ({ cx, cy });
 
 function paint(
   canvas: HTMLCanvasElement,

@@ -1,5 +1,5 @@
 /** The chaos game, one throw at a time, on a triangle whose corners are 1, 2 and 3. */
-
+import { hash } from "#geometry/maps/orbit";
 import { HEIGHT } from "../../kit/maps/families";
 import type { Point } from "../../kit/maps/pieces";
 
@@ -71,14 +71,6 @@ export function holes(levels: number): Point[][] {
     wholes = next;
   }
   return found;
-}
-
-/** A number of 32 bits that looks random and is the same for the same `n`. */
-export function hash(n: number): number {
-  let x = n + 0x9e3779b9;
-  x = Math.imul(x ^ (x >>> 16), 0x21f0aaad);
-  x = Math.imul(x ^ (x >>> 15), 0x735a2d97);
-  return (x ^ (x >>> 15)) >>> 0;
 }
 
 /** Piece 3 of piece 2, from 0: what one is to throw into, and with how many throws at most. */

@@ -102,7 +102,7 @@ function Followed() {
         <>
           <p class="hint">
             Reach the framed cell in as few throws as you can. Press a number, its key, or a piece in the
-            picture.
+            picture. <a href="#learn/e31">The lesson on it</a>
           </p>
           <TargetControls
             game={game.value}

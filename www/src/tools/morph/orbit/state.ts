@@ -11,7 +11,6 @@ import {
   type Board,
   cellOf,
   DEEPEST,
-  fewest,
   hullOf,
   isIn,
   middleOf,
@@ -21,6 +20,7 @@ import {
 import { mainMaps } from "#stage/stage";
 import { effectiveView, stageSize } from "#stage/view";
 import { choose, factsOf, follow, type Orbit, turnTo } from "#ui/orbit/follow";
+import { type Asked, gameOf } from "#ui/orbit/game";
 import { type Game, MOST_THROWS, orbitWords } from "#ui/orbit/words";
 
 /** As near as a finger comes, in CSS pixels. */
@@ -104,7 +104,7 @@ export const weights = ownWeights;
 
 /** Whether it is played for a cell. */
 export const playing = signal(false);
-const asked = signal<{ target: readonly number[]; letters: readonly number[]; shown: boolean } | null>(null);
+const asked = signal<Asked | null>(null);
 
 /** Why there is no game on this shape; null where there is one. */
 export const gameProblem = computed(() => unplayable(mainMaps.value));
@@ -123,7 +123,7 @@ export const deepest = computed(() => {
 
 const FIRST_LENGTH = 2;
 /** What was asked for, as long as the maps are there that it names. */
-const current = computed(() => {
+const current = computed<Asked>(() => {
   const count = mainMaps.value.length;
   const now = asked.value;
   if (now && [...now.target, ...now.letters].every((letter) => letter < count)) return now;
@@ -135,13 +135,7 @@ export const throws = computed(() => current.value.letters);
 export const thrownPoints = computed(() => orbitOf(board.value.maps, board.value.start, throws.value));
 export const cell = computed(() => cellOf(board.value, current.value.target));
 
-export const game: ReadonlySignal<Game> = computed(() => {
-  const { target, shown, letters } = current.value;
-  const way = fewest(board.value, target);
-  const here = thrownPoints.value.at(-1) ?? board.value.start;
-  const reached = isIn(board.value, target, here);
-  return { throws: letters.length, reached, least: way.length, shown, target, way };
-});
+export const game: ReadonlySignal<Game> = computed(() => gameOf(board.value, current.value));
 
 export function throwTo(letter: number): void {
   const { letters } = current.peek();
