@@ -31,6 +31,7 @@ const SOLUTIONS: Record<string, string> = {
   e27: "x1.bytes=36&x2.s=0.7",
   e29: "x1.s=0.5&x2.s=0.71",
   e30: "x1.scale=0.8&x1.push=2&x2.steps=A,B,A,B,A,B,A,B,A,B,A,B",
+  e31: "x1.throws=1213&x2.address=2312",
   e28: "x1.turn=120&x2.shift=0.3",
 };
 

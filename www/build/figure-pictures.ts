@@ -160,6 +160,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     e24: row({ ...solid("sponge"), turn: 0.4 }, plane(space.projectExactly(of("sponge"), [0, 1, 0]))),
     e21: row(polygon(2, [0.0227, 0.703]).cells[0] as Cell, morph("dragon-3", "gasket", 0.5, 1.75)),
     e22: pulled("gasket", [0.3, 0.2], 0.2, 0.6),
+    e31: row(triangle(0.5), plane(shape("gasket").maps.slice(1))),
     e30: row(triangle(0.4), plane(triangleOf(0.4).map(([a = 0, , ...rest]) => [a, 0.4, ...rest]))),
   };
 }

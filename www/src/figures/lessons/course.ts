@@ -98,6 +98,16 @@ const COURSE: readonly UnitEntry[] = [
         thumb: () => import("./lesson-16/thumb"),
       },
       {
+        id: "e31",
+        title: "Reach the cell",
+        about: "Choose each throw: in how few does the point land where it shall?",
+        minutes: 6,
+        words: "game, target, chaos game, address, digits, orbit, inverse map, Devaney",
+        after: ["e2", "e16"],
+        load: () => import("./lesson-31/page"),
+        thumb: () => import("./lesson-31/thumb"),
+      },
+      {
         id: "e15",
         title: "Uneven dice",
         about: "Load the die: the same shape, in another shade.",

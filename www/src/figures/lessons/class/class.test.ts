@@ -62,7 +62,7 @@ describe("a sheet", () => {
       itemsWithNames({ ...SHEET, shapes: [] })
         .map(({ name }) => name)
         .slice(2),
-    ).toEqual(["Lesson 17, Straight on, or led, as it was set", "From gasket to Koch"]);
+    ).toEqual(["Lesson 18, Straight on, or led, as it was set", "From gasket to Koch"]);
   });
 
   it("is told from what no link holds", () => {
