@@ -72,6 +72,10 @@ describe("the address of a point", () => {
     // The middle of the hole is a third of the height of the hole from each of its sides.
     expect(nearestOn(GASKET, BOX, [0.5, HEIGHT / 3])?.distance).toBeCloseTo(HEIGHT / 6, 2);
     expect(nearestOn(GASKET, BOX, [2, 0])?.distance).toBeCloseTo(1, 2);
+    expect(nearestOn(GASKET, BOX, [2, 0])?.sure).toBe(true);
+    // Of a fern, whose pieces shrink by little, too.
+    expect(nearestOn(FERN, FERN_BOX, [2.5, 0.5])?.sure).toBe(true);
+    expect(nearestOn(GASKET, BOX, [2, 0], { within: 0.5 })).toBeNull();
   });
 
   it("needs no inverse: a stem that is flattened has addresses, too", () => {

@@ -68,15 +68,21 @@ export function pointAt(maps: readonly MapRow[], address: readonly number[]): Po
 export interface Nearest {
   address: number[];
   distance: number;
+  /** Whether none is nearer, but for a thousandth; else it is the nearest that was found. */
+  sure: boolean;
 }
 
+/** A piece of a piece .. of the shape. */
 interface Node {
-  address: number[];
+  /** The piece that it is a part of, and the last letter of its address. */
+  parent: Node | null;
+  letter: number;
+  depth: number;
   map: MapRow;
-  /** No point of the piece is nearer than this. */
+  /** No point of it is nearer than this. */
   least: number;
-  /** How far the piece reaches from the middle of its disc. */
-  reach: number;
+  /** Its place among all that were looked at. */
+  order: number;
 }
 
 /** A piece that is so small, in sizes of the whole, is a point. */
@@ -84,12 +90,14 @@ const FINE = 1e-12;
 /** Of a point off the shape the distance has to be known to so much of it only. */
 const ROUGH = 1e-3;
 /** Pieces looked at, at most: where many overlap a point lies in a great many of them. */
-const BUDGET = 20_000;
+const BUDGET = 12_000;
+/** Letters that an address has at least: it goes on with the first map for ever. */
+const LETTERS = 24;
 
 /**
- * The point of the shape that is nearest to a point; null where the budget does not suffice. The box has to hold the
- * shape. Pieces are taken apart in the order of how near they may be; among equals the longer address goes first, and
- * then the lower letter, so that a point of several addresses gets the first of them.
+ * The point of the shape that is nearest to a point; null where none is `within`. The box has to hold the shape. Pieces
+ * are taken apart in the order of how near they may be; among equals the longer address goes first, and then the lower
+ * letter, so that a point of several addresses gets the first of them.
  */
 export function nearestOn(
   maps: readonly MapRow[],
@@ -97,46 +105,105 @@ export function nearestOn(
   point: Point,
   { within = Number.POSITIVE_INFINITY, first }: { within?: number; first?: number } = {},
 ): Nearest | null {
-  const middle: Point = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
-  const radius = Math.hypot(box.x1 - box.x0, box.y1 - box.y0) / 2;
-  const size = Math.max(radius, Number.MIN_VALUE);
-  const nodeOf = (address: number[], map: MapRow): Node => {
-    const reach = lengthens(map) * radius;
-    const [x, y] = imageOf(map, middle);
-    return { address, map, reach, least: Math.max(0, Math.hypot(x - point[0], y - point[1]) - reach) };
+  const corners: readonly Point[] = [
+    [box.x0, box.y0],
+    [box.x1, box.y0],
+    [box.x1, box.y1],
+    [box.x0, box.y1],
+  ];
+  const size = Math.max(Math.hypot(box.x1 - box.x0, box.y1 - box.y0), Number.MIN_VALUE);
+  const anchor = anchorOf(maps);
+  const apart = ([x, y]: Point) => Math.hypot(x - point[0], y - point[1]);
+  let looked = 0;
+  let best: Node | null = null;
+  let upper = Number.POSITIVE_INFINITY;
+  const nodeOf = (parent: Node | null, letter: number, map: MapRow): Node => {
+    const least = Math.max(0, awayFrom(map, corners, point) - FINE * size);
+    const node = { parent, letter, depth: parent ? parent.depth + 1 : 0, map, least, order: looked++ };
+    const distance = apart(imageOf(map, anchor));
+    if (distance < upper) [best, upper] = [node, distance];
+    return node;
   };
-  const begin = first === undefined ? nodeOf([], STILL) : nodeOf([first], maps[first] ?? STILL);
-  const open: Node[] = [begin];
-  for (let looked = 0; looked < BUDGET; ) {
-    const here = open.pop();
+  const root = nodeOf(null, -1, STILL);
+  if (first !== undefined) upper = Number.POSITIVE_INFINITY;
+  const open = [first === undefined ? root : nodeOf(root, first, maps[first] ?? STILL)];
+  while (looked < BUDGET) {
+    const here = take(open);
     if (!here || here.least > within) return null;
-    if (here.reach <= Math.max(FINE * size, ROUGH * here.least)) {
-      const [x, y] = pointAt(maps, here.address);
-      return { address: here.address, distance: Math.hypot(x - point[0], y - point[1]) };
-    }
-    // The last one is put in first: among equals it is taken last.
+    if (best && here.least > 0 && upper - here.least <= ROUGH * here.least) return found(best, upper, true);
+    // So small that its own point is the one.
+    if (lengthens(here.map) * size <= FINE * size) return found(here, apart(imageOf(here.map, anchor)), true);
+    // The last one is put in first: among equals the latest is taken.
     for (let letter = maps.length - 1; letter >= 0; letter--) {
       const map = maps[letter];
-      if (!map) continue;
-      looked++;
-      put(open, nodeOf([...here.address, letter], after2(here.map, map)));
+      if (map) put(open, nodeOf(here, letter, after2(here.map, map)));
     }
   }
-  return null;
+  return best ? found(best, upper, false) : null;
 }
 
-/** Below 0 where one is to be looked at before another. */
-const before = (p: Node, q: Node) => p.least - q.least || q.address.length - p.address.length;
+function found(node: Node, distance: number, sure: boolean): Nearest {
+  const address: number[] = [];
+  for (let at: Node | null = node; at && at.letter >= 0; at = at.parent) address.push(at.letter);
+  address.reverse();
+  while (address.length < LETTERS) address.push(0);
+  return { address, distance, sure };
+}
 
-/** In order, the next one last. Among equals what is put in later is taken first. */
-function put(open: Node[], node: Node): void {
-  let [low, high] = [0, open.length];
-  while (low < high) {
-    const half = (low + high) >> 1;
-    if (before(open[half] as Node, node) >= 0) low = half + 1;
-    else high = half;
+/** How far a point is from the image of a convex polygon. */
+function awayFrom(map: MapRow, corners: readonly Point[], [x, y]: Point): number {
+  const placed = corners.map((corner) => imageOf(map, corner));
+  let least = Number.POSITIVE_INFINITY;
+  let [left, right] = [false, false];
+  for (const [i, [x0, y0]] of placed.entries()) {
+    const [x1, y1] = placed[(i + 1) % placed.length] ?? [x0, y0];
+    const [dx, dy] = [x1 - x0, y1 - y0];
+    const [px, py] = [x - x0, y - y0];
+    const side = dx * py - dy * px;
+    if (side > 0) left = true;
+    if (side < 0) right = true;
+    const long = dx * dx + dy * dy;
+    const along = long > 0 ? Math.min(1, Math.max(0, (px * dx + py * dy) / long)) : 0;
+    least = Math.min(least, Math.hypot(px - along * dx, py - along * dy));
   }
-  open.splice(low, 0, node);
+  // All edges on one side: it is inside. A flat one has no inside.
+  return left !== right ? 0 : least;
+}
+
+/** Whether a piece is to be looked at before another. */
+const isBefore = (p: Node, q: Node): boolean =>
+  p.least !== q.least ? p.least < q.least : p.depth !== q.depth ? p.depth > q.depth : p.order > q.order;
+
+/** Into a heap. */
+function put(open: Node[], node: Node): void {
+  let at = open.length;
+  open.push(node);
+  while (at > 0) {
+    const above = (at - 1) >> 1;
+    const parent = open[above] as Node;
+    if (!isBefore(node, parent)) break;
+    open[at] = parent;
+    at = above;
+  }
+  open[at] = node;
+}
+
+/** The first of a heap. */
+function take(open: Node[]): Node | undefined {
+  const first = open[0];
+  const last = open.pop();
+  if (!last || open.length === 0) return first;
+  let at = 0;
+  for (;;) {
+    const left = open[2 * at + 1];
+    const right = open[2 * at + 2];
+    const next = right && left && isBefore(right, left) ? right : left;
+    if (!next || !isBefore(next, last)) break;
+    open[at] = next;
+    at = next === left ? 2 * at + 1 : 2 * at + 2;
+  }
+  open[at] = last;
+  return first;
 }
 
 /** The most by which a map lengthens anything. */

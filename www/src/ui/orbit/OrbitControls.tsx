@@ -92,7 +92,15 @@ export function OrbitControls(props: OrbitControlsProps) {
           </Button>
         ) : (
           <>
-            <Button disabled={full} description="A map at random" onClick={() => onOrbit(throwOne(orbit))}>
+            <Button
+              disabled={full}
+              description={
+                weights
+                  ? "A map at random, by the weights of the shape"
+                  : "A map at random, each as likely as the others"
+              }
+              onClick={() => onOrbit(throwOne(orbit))}
+            >
               Throw
             </Button>
             <Button disabled={full} description={`At most ${MOST_STEPS} steps`} onClick={many}>

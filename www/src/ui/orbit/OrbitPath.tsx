@@ -134,6 +134,8 @@ function Trail({
   }
   return (
     <>
+      {/* A dot on a piece of its own colour is seen by what is around it. */}
+      <path class={css["orbit-trail-halo"]} d={[...dots.values()].flat().join("")} />
       {[...dots].map(([letter, all]) => (
         <path
           key={letter}

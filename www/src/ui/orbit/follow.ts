@@ -70,7 +70,7 @@ export function choose(
   const { count } = orbit;
   if (found && found.distance <= Math.max(reach, ON * sizeOf(box)))
     return { way: "read", address: found.address, count: Math.min(count, found.address.length) };
-  const distance = found?.distance ?? Number.NaN;
+  const distance = found?.sure ? found.distance : Number.NaN;
   return { way: "off", at: point, distance, nearest: found?.address ?? null, count };
 }
 
@@ -137,7 +137,9 @@ export function factsOf(maps: readonly MapRow[], box: Box, orbit: Orbit): Facts 
     const before = points.at(orbit.count === 0 ? 0 : -2) ?? points[0];
     return { off: 0, pieces: before ? piecesAt(maps, box, before) : [] };
   }
+  // After a step nobody asks, and it is not to be found out again at each.
+  if (orbit.letters.length > 0) return { off: null, pieces: [] };
   const found = nearestOn(maps, box, orbit.start);
-  if (!found) return { off: null, pieces: [] };
-  return { off: found.distance <= ON * sizeOf(box) ? 0 : found.distance, pieces: [] };
+  if (found && found.distance <= ON * sizeOf(box)) return { off: 0, pieces: [] };
+  return { off: found?.sure ? found.distance : null, pieces: [] };
 }

@@ -115,7 +115,7 @@ export const board: ReadonlySignal<Board> = computed(() => {
 });
 
 /** All ways to a cell are tried: of many maps only the larger cells. */
-const MOST_WAYS = 5000;
+const MOST_WAYS = 1500;
 export const deepest = computed(() => {
   const count = Math.max(2, mainMaps.value.length);
   return Math.max(1, Math.min(DEEPEST, 1 + Math.floor(Math.log(MOST_WAYS) / Math.log(count))));
