@@ -100,7 +100,7 @@ const COURSE: readonly UnitEntry[] = [
       {
         id: "e31",
         title: "Reach the cell",
-        about: "Choose each throw: in how few does the point land where it shall?",
+        about: "You choose each throw: in how few can you land in the framed cell?",
         minutes: 6,
         words: "game, target, chaos game, address, digits, orbit, inverse map, Devaney",
         after: ["e2", "e16"],

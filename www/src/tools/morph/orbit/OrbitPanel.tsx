@@ -38,8 +38,10 @@ export function OrbitPanel() {
   const heading = useRef<HTMLHeadingElement>(null);
   // At once: whoever sees the panel may press a key.
   useLayoutEffect(() => {
-    heading.current?.focus({ preventScroll: true });
     const side = heading.current?.closest(".side");
+    // The button that was pressed is further down now.
+    if (document.activeElement === document.body || side?.contains(document.activeElement))
+      heading.current?.focus({ preventScroll: true });
     if (side) side.scrollTop = 0;
     const stopEscape = listenForEscape(toggleOrbit);
     // Before the keys of the tool, of which some are digits, too.
