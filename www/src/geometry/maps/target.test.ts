@@ -41,7 +41,8 @@ describe("a cell to reach", () => {
       const target = newTarget(BOARD, 3, seed);
       expect(target).toEqual(newTarget(BOARD, 3, seed));
       expect(target).toHaveLength(3);
-      expect(isIn(BOARD, target, BOARD.start)).toBe(false);
+      const inside = { ...BOARD, start: [0.05, 0.05] as Point };
+      expect(isIn(inside, newTarget(inside, 1, seed), inside.start)).toBe(false);
     }
     expect(
       new Set(Array.from({ length: 40 }, (_, seed) => newTarget(BOARD, 3, seed).join())).size,
