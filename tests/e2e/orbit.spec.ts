@@ -61,7 +61,9 @@ test("a point is followed by keys, a press and numbers, and its address is writt
   await expect(words(page)).toContainText("lies in piece");
 
   await page.getByRole("radio", { name: "Apply maps" }).check();
+  const before = (await words(page).textContent()) ?? "";
   await page.mouse.click(stage.x + stage.width / 2, stage.y + stage.height / 3);
+  await expect(words(page)).not.toHaveText(before);
   await expect(words(page)).toHaveText(/^The point starts at/);
   await expectClean(page);
   // Nothing of it is in the document.
@@ -69,6 +71,22 @@ test("a point is followed by keys, a press and numbers, and its address is writt
   await page.keyboard.press("Escape");
   await expect(panel(page)).toHaveCount(0);
   await expect(page.getByRole("button", { name: "Follow a point" })).toBeFocused();
+});
+
+test("a point goes by itself where motion is wanted, and rests when it is told to", async ({
+  studio,
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  await studio.open("a=gasket&b=gasket&path=straight");
+  await page.getByRole("button", { name: "Follow a point" }).click();
+  await panel(page).getByRole("button", { name: "Play" }).click();
+  await expect(words(page)).toHaveText(/^Step 2: map/);
+  await panel(page).getByRole("button", { name: "Pause" }).click();
+  const said = (await words(page).textContent()) ?? "";
+  await expect(page.getByTestId("orbit-spoken")).toContainText(said);
+  await page.getByRole("radio", { name: "Read address" }).check();
+  await expect(panel(page).getByRole("button", { name: "Play" })).toBeVisible();
 });
 
 test("a cell is reached in as few throws as it has letters, and its address is the answer", async ({
