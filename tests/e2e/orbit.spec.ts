@@ -39,7 +39,7 @@ test("a point is followed by keys, a press and numbers, and its address is writt
   await type(page, "x", "0.5");
   await type(page, "y", "0");
   await expect(words(page)).toContainText("It is on the shape");
-  await page.getByRole("radio", { name: "Read address" }).check();
+  await panel(page).getByRole("radio", { name: "Address" }).check();
   await panel(page).getByRole("button", { name: "Next letter" }).click();
   await expect(address(page)).toHaveText("1 …");
   await expect(words(page)).toContainText("Pieces 1 and 2 share the point");
@@ -85,7 +85,7 @@ test("a point goes by itself where motion is wanted, and rests when it is told t
   await panel(page).getByRole("button", { name: "Pause" }).click();
   const said = (await words(page).textContent()) ?? "";
   await expect(page.getByTestId("orbit-spoken")).toContainText(said);
-  await page.getByRole("radio", { name: "Read address" }).check();
+  await panel(page).getByRole("radio", { name: "Address" }).check();
   await expect(panel(page).getByRole("button", { name: "Play" })).toBeVisible();
 });
 
@@ -100,7 +100,9 @@ test("a cell is reached in as few throws as it has letters, and its address is t
   await expect(told).toHaveText("No throw yet.");
   await page.getByRole("radio", { name: "3", exact: true }).check();
   await panel(page).getByRole("button", { name: "Show a way" }).click();
-  await expect(told).toHaveText(/^One way: (\d), then (\d), then (\d)\. The cell has the address \3 \2 \1\./);
+  await expect(told).toHaveText(
+    /^One way: (\d), then (\d), then (\d)\. Read backwards, that is the address of the cell: \3 \2 \1\./,
+  );
   const way = (await page.getByTestId("orbit-thrown").textContent()) ?? "";
   await panel(page).getByRole("button", { name: "Start again" }).click();
   for (const key of way.split(" ")) await page.keyboard.press(key);
@@ -130,7 +132,7 @@ test("what cannot be followed or played is said, with what to do", async ({ stud
     await expect(game).toBeDisabled();
     await type(page, "x", "0");
     await type(page, "y", "0");
-    await page.getByRole("radio", { name: "Read address" }).check();
+    await panel(page).getByRole("radio", { name: "Address" }).check();
     await panel(page).getByRole("button", { name: "Next letter" }).click();
     await expect(words(page)).toContainText("Map 1 flattens the shape, so it has no inverse");
   });

@@ -93,8 +93,8 @@ export function gameWords({ throws, reached, least, shown, target, way }: Game):
   const backwards = way.length === target.length && target.length > 1;
   if (shown && reached) {
     const order = way.map((letter) => letter + 1).join(", then ");
-    const why = backwards ? " That is the address of the cell, read backwards." : "";
-    return `One way: ${order}. The cell has the address ${address}.${why}`;
+    const why = backwards ? "Read backwards, that is the address of the cell:" : "The cell has the address";
+    return `One way: ${order}. ${why} ${address}.`;
   }
   if (!reached && throws >= MOST_THROWS) return `${count} are as many as are kept. Start again.`;
   if (!reached) return throws === 0 ? "No throw yet." : `${count}. The point is not in the framed cell yet.`;

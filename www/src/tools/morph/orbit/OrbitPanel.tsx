@@ -84,8 +84,8 @@ function Followed() {
           { value: "apply", label: "Apply maps", description: "Each map takes the point to another place" },
           {
             value: "read",
-            label: "Read address",
-            description: "Which piece is it in, and which piece of that?",
+            label: "Address",
+            description: "Read the address: in which piece is the point, and in which piece of that?",
           },
           {
             value: "game",
