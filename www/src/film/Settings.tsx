@@ -1,5 +1,6 @@
 import { useEffect, useMemo } from "preact/hooks";
 import { formatNumber } from "#format/numbers";
+import { type Easing, MOST_HOLD } from "#geometry/pace";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
@@ -39,6 +40,7 @@ import {
   chooseLength,
   chooseLoop,
   framesGo,
+  hasEnds,
   loop,
   pick,
   plan,
@@ -64,6 +66,15 @@ const ENDS: readonly { value: Repeat; label: string; description: string }[] = [
     value: "pingpong",
     label: "To and fro",
     description: "It goes back the way it came: a loop without a jump",
+  },
+];
+
+const EASINGS: readonly { value: Easing; label: string; description: string }[] = [
+  { value: "linear", label: "Linear", description: "At the same speed all the way" },
+  {
+    value: "ease",
+    label: "Ease in and out",
+    description: "It starts gently, and slows down before it stops",
   },
 ];
 
@@ -207,6 +218,26 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
           options={ENDS.filter(({ value }) => subject.loops.includes(value))}
           value={loop.value}
           onChange={chooseLoop}
+        />
+      )}
+      {hasEnds.value && subject.easing !== null && (
+        <ChoiceRow
+          label="Easing"
+          options={EASINGS}
+          value={of.easing}
+          onChange={(next) => choose({ easing: next })}
+        />
+      )}
+      {hasEnds.value && (
+        <NumberField
+          label="Hold at ends"
+          value={of.hold}
+          min={0}
+          max={MOST_HOLD}
+          step={0.5}
+          digits={2}
+          unit="s"
+          onChange={(next) => choose({ hold: next })}
         />
       )}
       {isVideo(kind) && (

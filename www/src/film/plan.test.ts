@@ -23,6 +23,8 @@ const plan: Plan = {
   fps: 30,
   from: 0,
   to: 2,
+  easing: "linear",
+  hold: 0,
   quality: "good",
   smooth: true,
   ground: null,
@@ -59,11 +61,27 @@ describe("frames", () => {
     expect(timesOf({ from: 1, to: 3, fps: 2 }, "pingpong")).toEqual([1, 1.5, 2, 2.5, 3, 2.5, 2, 1.5]);
   });
 
+  it("stand still at both ends for as long as is asked for", () => {
+    const held = { from: 1, to: 3, fps: 2, easing: "ease", hold: 1 } as const;
+    expect([filmSeconds(held, "pingpong"), frameCount(held, "pingpong")]).toEqual([6, 12]);
+    const there = [1, 1.3125, 2, 2.6875, 3];
+    expect(timesOf(held, "pingpong")).toEqual([1, 1, ...there, 3, 3, 2.6875, 2, 1.3125]);
+    expect([filmSeconds(held, "once"), frameCount(held, "once")]).toEqual([4, 8]);
+    // What goes round has no ends.
+    expect([filmSeconds(held, "round"), frameCount(held, "round")]).toEqual([2, 4]);
+    // Hardly larger: the pixels of a frame that stands still are written once.
+    const [bare, long] = [0, 10].map((hold) => filmBytes({ ...plan, kind: "apng", hold }, "once"));
+    expect(long).toBe(bare);
+  });
+
   it("are refused in words where there are too many", () => {
     expect(planProblem({ ...plan, to: 100_000 / 30 }, "round")).toContain("100,000 frames are too many");
     expect(planProblem({ ...plan, to: 120 }, "round")).toBeNull();
     expect(planProblem({ ...plan, to: 120 }, "pingpong")).toContain("at most 60 s");
     expect(planProblem({ ...plan, kind: "frames", to: 600 }, "round")).toContain("at most 120 s");
+    expect(planProblem({ ...plan, to: 120, hold: 10 }, "pingpong")).toContain("at most 50 s");
+    for (const hold of [-1, 11, Number.NaN])
+      expect(planProblem({ ...plan, hold }, "once")).toContain("0 to 10 s");
   });
 });
 

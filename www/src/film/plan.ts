@@ -1,6 +1,7 @@
 /** What is to be exported: which moments, how large, and how much that will be. Pure, for the tests. */
 
 import { formatNumber } from "#format/numbers";
+import { type Easing, heldFrames, MOST_HOLD, momentsOf } from "#geometry/pace";
 import type { Repeat } from "#wasm/api";
 import { MOST_GIF_FPS } from "#workers/film/format/gif";
 import type { FilmKind } from "#workers/film/format/sink";
@@ -18,6 +19,10 @@ export interface Plan {
   /** Seconds. */
   from: number;
   to: number;
+  /** How it goes from one end to the other. */
+  easing: Easing;
+  /** Seconds that it stands still at each end. */
+  hold: number;
   quality: Quality;
   /** Whether edges are smoothed, by drawing four pixels for each. */
   smooth: boolean;
@@ -50,30 +55,30 @@ export const canBeClear = (kind: Kind): boolean => kind !== "mp4";
 /** Codecs halve the sides for colours. */
 export const even = (side: number): number => 2 * Math.round(side / 2);
 
-type Part = Pick<Plan, "from" | "to" | "fps">;
+type Part = Pick<Plan, "from" | "to" | "fps"> & Partial<Pick<Plan, "easing" | "hold">>;
 
-/** How many seconds a film of it has: there and back where it goes to and fro. */
-export const filmSeconds = ({ from, to }: Pick<Plan, "from" | "to">, loop: Repeat): number =>
+/** How many seconds of it move: there and back where it goes to and fro. */
+const movingSeconds = ({ from, to }: Pick<Plan, "from" | "to">, loop: Repeat): number =>
   (loop === "pingpong" ? 2 : 1) * (to - from);
 
-/** How many frames it has: as many a second as were asked for. */
-export function frameCount(plan: Part, loop: Repeat): number {
-  return Math.max(1, Math.round(filmSeconds(plan, loop) * plan.fps));
-}
+/** How many frames of it move: as many a second as were asked for. */
+const movingCount = (plan: Part, loop: Repeat): number =>
+  Math.max(1, Math.round(movingSeconds(plan, loop) * plan.fps));
 
-/**
- * The moments of its frames, evenly spaced. Where it goes round, or to and fro, a frame more would be the first again.
- * Where it ends, its last frame shows the end.
- */
+const heldOf = ({ hold = 0, fps }: Part, loop: Repeat): number => heldFrames(hold, fps, loop);
+
+/** How many seconds a film of it has. */
+export const filmSeconds = (plan: Part, loop: Repeat): number =>
+  movingSeconds(plan, loop) + (2 * heldOf(plan, loop)) / plan.fps;
+
+/** How many frames it has. */
+export const frameCount = (plan: Part, loop: Repeat): number =>
+  movingCount(plan, loop) + 2 * heldOf(plan, loop);
+
+/** The moments of its frames, in seconds. */
 export function timesOf(plan: Part, loop: Repeat): number[] {
-  const { from, to } = plan;
-  const count = frameCount(plan, loop);
-  const all = filmSeconds(plan, loop);
-  return Array.from({ length: count }, (_, i) => {
-    if (loop === "once") return i > 0 && i === count - 1 ? to : from + (i * all) / Math.max(1, count - 1);
-    const gone = (i * all) / count;
-    return gone <= to - from ? from + gone : from + all - gone;
-  });
+  const pace = { easing: plan.easing ?? "linear", held: heldOf(plan, loop) };
+  return momentsOf(plan, movingCount(plan, loop), loop, pace);
 }
 
 /** Why it cannot be made, in words that say what to do; null where it can. */
@@ -88,9 +93,13 @@ export function planProblem(plan: Plan, loop: Repeat): string | null {
       ? `A GIF shows at most ${MOST_GIF_FPS} frames a second. Choose fewer.`
       : `Choose ${LEAST_FPS} to ${mostFps(kind)} frames a second.`;
   }
+  if (!(plan.hold >= 0 && plan.hold <= MOST_HOLD)) {
+    return `Hold each end for 0 to ${MOST_HOLD} s.`;
+  }
   const count = frameCount(plan, loop);
   if (count > MOST_FRAMES) {
-    const seconds = Math.floor(MOST_FRAMES / fps / (loop === "pingpong" ? 2 : 1));
+    const moving = MOST_FRAMES - 2 * heldOf(plan, loop);
+    const seconds = Math.floor(moving / fps / (loop === "pingpong" ? 2 : 1));
     return `${grouped(count)} frames are too many: ${grouped(MOST_FRAMES)} is the most. Choose fewer frames a second, or at most ${seconds} s.`;
   }
   if (!isFilm(kind)) return null;
@@ -141,10 +150,13 @@ const GIF_BYTES = 0.6;
  */
 export function filmBytes(plan: Plan, loop: Repeat, lit = 0.5): number {
   const count = frameCount(plan, loop);
+  // What stands still takes no room in a moving picture.
+  const moving = movingCount(plan, loop);
+  const { width, height } = plan;
   if (plan.kind === "apng" || plan.kind === "zip") {
-    return 300 + (PNG_BYTES * lit + 0.01) * plan.width * plan.height * count;
+    return 300 + (PNG_BYTES * lit + 0.01) * width * height * (plan.kind === "zip" ? count : moving);
   }
-  if (plan.kind === "gif") return 800 + (GIF_BYTES * lit + 0.003) * plan.width * plan.height * count;
+  if (plan.kind === "gif") return 800 + (GIF_BYTES * lit + 0.003) * width * height * moving;
   return (bitrateOf(plan) / 8) * (count / plan.fps) + 2000;
 }
 

@@ -1,5 +1,6 @@
 /** What was chosen last stays for the visit. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { Easing } from "#geometry/pace";
 import type { Repeat } from "#wasm/api";
 import { filmTask } from "#workers/film/client";
 import type { Encodable } from "#workers/film/encode";
@@ -22,11 +23,12 @@ export const SIZES: readonly NamedSize[] = [
 /** Fewer cores would be at it for long. */
 const MANY_CORES = 8;
 
-const chosen = signal<Omit<Plan, "from" | "to">>({
+const chosen = signal<Omit<Plan, "from" | "to" | "easing">>({
   kind: "mp4",
   width: 854,
   height: 480,
   fps: 30,
+  hold: 0,
   quality: "good",
   smooth: navigator.hardwareConcurrency >= MANY_CORES,
   ground: null,
@@ -40,6 +42,8 @@ const part = signal<{ from: number; to: number } | null>(null);
 /** Seconds, where a subject takes as long as one likes; null: as long as by itself. */
 const length = signal<number | null>(null);
 const way = signal<Repeat | null>(null);
+/** null: as what is filmed goes by itself. */
+const easing = signal<Easing | null>(null);
 
 /** What a shape in the making begins with. */
 const seed = signal<SeedName>("frame");
@@ -73,9 +77,10 @@ export function pick(id: string): void {
   part.value = null;
   length.value = null;
   way.value = null;
+  easing.value = null;
 }
 
-export const plan = computed<Plan>(() => {
+const paceless = computed<Omit<Plan, "easing">>(() => {
   const { seconds = 0, numbers } = subject.value ?? {};
   const { from, to } = part.value ?? { from: 0, to: seconds };
   const { kind, ...rest } = chosen.value;
@@ -88,9 +93,25 @@ export const plan = computed<Plan>(() => {
 export const loop = computed<Repeat>(() => {
   const now = subject.value;
   if (!now) return "once";
-  const { from, to } = plan.value;
+  const { from, to } = paceless.value;
   const wish = way.value !== null && now.loops.includes(way.value) ? way.value : now.loop;
   return wish === "round" && (from !== 0 || to !== now.seconds) ? "once" : wish;
+});
+
+/** Whether there are ends to stop at: neither numbers nor what goes round has any. */
+export const hasEnds: ReadonlySignal<boolean> = computed(
+  () => paceless.value.kind !== "frames" && loop.value !== "round",
+);
+
+export const plan: ReadonlySignal<Plan> = computed(() => {
+  const there = hasEnds.value;
+  const own = subject.value?.easing ?? null;
+  const wish = easing.value ?? (loop.value === "pingpong" ? own : "linear");
+  return {
+    ...paceless.value,
+    easing: there && own !== null ? (wish ?? "linear") : "linear",
+    hold: there ? paceless.value.hold : 0,
+  };
 });
 
 /** How its frames go. On the way back, numbers would be the same once more. */
@@ -99,7 +120,8 @@ export const framesGo = computed<Repeat>(() =>
 );
 
 export function choose(change: Partial<Plan>): void {
-  const { from, to, width, height, ...rest } = change;
+  const { from, to, width, height, easing: pace, ...rest } = change;
+  if (pace !== undefined) easing.value = pace;
   chosen.value = {
     ...chosen.peek(),
     ...rest,

@@ -60,6 +60,7 @@ export function stepsSubject(
     anyLength: true,
     loops: ["once", "pingpong"],
     loop: "once",
+    easing: null,
     ground,
     choosesSmooth: false,
     seeds: {

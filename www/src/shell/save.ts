@@ -66,6 +66,7 @@ export async function stageStill(): Promise<Still> {
       loops: ["once"],
       loop: "once",
       ground,
+      easing: null,
       choosesSmooth: false,
       drawer,
     },

@@ -70,7 +70,8 @@ async function shortFilm(
   const subject = lasting(moving, Math.min(MOST_SECONDS, moving.seconds));
   const loop = subject.loop === "round" ? "round" : "pingpong";
   const { fps } = FILMS[kind];
-  const times = timesOf({ from: 0, to: subject.seconds, fps }, loop);
+  const easing = loop === "pingpong" ? (subject.easing ?? "linear") : "linear";
+  const times = timesOf({ from: 0, to: subject.seconds, fps, easing }, loop);
   const settings = { ...settingsOf(kind), kind, ground: subject.ground, dither: true };
   const request = { subject, times, settings, smooth: true, captions: false, inset: false };
   const { bytes } = await makeFilm(request, signal, (done) =>

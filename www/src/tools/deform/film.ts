@@ -70,6 +70,8 @@ export async function films(): Promise<Films> {
         anyLength: false,
         loops: bent.loop ? ["round", "once", "pingpong"] : ["once", "pingpong"],
         loop: bent.loop ? "round" : "once",
+        // Key frames say how fast it goes.
+        easing: "linear",
         ground: dark.peek() ? NIGHT : PAPER,
         choosesSmooth: false,
         drawer,

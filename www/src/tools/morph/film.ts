@@ -78,6 +78,7 @@ export async function films(): Promise<Films> {
     anyLength: true,
     loops: ["once", "pingpong"],
     loop: loop.peek() ? "pingpong" : "once",
+    easing: "ease",
     ground,
     choosesSmooth: false,
     caption: (at) => {

@@ -65,6 +65,8 @@ function subjectOf(
     anyLength: false,
     loops: ["once", "round", "pingpong"],
     loop,
+    // Keys say how fast it goes.
+    easing: "linear",
     ground: ground.peek(),
     choosesSmooth: true,
     drawer: (look, how) =>

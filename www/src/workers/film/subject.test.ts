@@ -12,7 +12,8 @@ it("goes by faster or slower, and what is said of a moment goes with it", async 
     loops: ["once"],
     loop: "once",
     ground: "#000000",
-    choosesSmooth: false,
+    easing: null,
+      choosesSmooth: false,
     caption: (at) => `at ${at}`,
     inset: { map: () => ({ size: 0, pixels: new Uint8ClampedArray(0), way: [] }), at: (at) => [at / 8, 0] },
     drawer: () => ({

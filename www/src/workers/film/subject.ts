@@ -1,3 +1,4 @@
+import type { Easing } from "#geometry/pace";
 import type { Repeat } from "#wasm/api";
 
 /** A picture of a moment. */
@@ -61,6 +62,8 @@ export interface Subject {
   /** What it can do at its end, and what it does by itself. */
   loops: readonly Repeat[];
   loop: Repeat;
+  /** How it goes by itself where it goes to and fro; null: it moves in steps, which have no speed. */
+  easing: Easing | null;
   /** What is behind it on the stage, "#rrggbb". */
   ground: string;
   /** Whether smooth edges are a choice; else they are always smooth. */
