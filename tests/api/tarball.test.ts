@@ -228,6 +228,13 @@ describe("the packed package", () => {
     ).toEqual([true, true, true, false, false]);
     expect(sides("n-0003.png")).toEqual([60, 40]);
     expect(bytes("n-0001.png").equals(bytes("n-0002.png"))).toBe(false);
+    // Two frames more stand still at each end; the one in the middle is the same, however it goes.
+    const paced = ["--frames", "3", "--fps", "10", "--hold", "0.2", "--ease", "in-out"];
+    expect(frond("render", link, "--out", "p.png", ...paced, ...size).stderr).toContain("7 frames");
+    const like = [1, 1, 1, 2, 3, 3, 3].map((frame) => bytes(`n-000${frame}.png`));
+    like.forEach((frame, i) => {
+      expect(bytes(`p-000${i + 1}.png`).equals(frame)).toBe(true);
+    });
     const drawing = frond("render", link, "--out", "x.svg", "--t", "1");
     expect(drawing).toMatchObject({
       status: 0,
@@ -311,6 +318,20 @@ describe("the packed package", () => {
       [draw("--out", "y.png", "--background", "red"), "--background is a colour such as #ffffff."],
       [draw("--out", "y.gif", "--frames", "1e7"), /--frames is a number from 1 to 10000/],
       [draw("--out", "y.gif", "--frames", "2", "--seconds", "1"), /not both/],
+      [draw("--out", "y.gif", "--hold", "11"), '--hold is a number from 0 to 10, and not "11".'],
+      [draw("--out", "y.gif", "--ease", "fast"), '--ease is linear or in-out, and not "fast".'],
+      [draw("--out", "y.png", "--hold", "1"), /^One picture has no --hold/],
+      [
+        [
+          "render",
+          "a=gasket&b=gasket&tool=deform&mesh=4x4:0,0,1,1&keys=0:;0.5:6,0.2,0",
+          "--out",
+          "y.gif",
+          "--hold",
+          "1",
+        ],
+        "This film has no --hold: its end goes on to its beginning.",
+      ],
       [
         draw("--out", "y.gif", "--frames", "9999", "--width", "8192", "--height", "8192"),
         /too large for one file/,

@@ -12,6 +12,7 @@ const HELP = `frond: the studio without a browser
     --t 0.5                                         of one moment; without it that of the link
     --seconds 8 --fps 25                            of a film; a ZIP holds its frames as PNG
     --frames 200                                    so many frames; with x.png: x-0001.png, x-0002.png ..
+    --ease in-out --hold 1                          starts and stops gently; stands still for 1 s more at each end
   frond locus <link> --out x.csv|npy                verdict and gap of every sample of (u, v)
     --width 301 --height 301
   frond connectedness <link|file>                   in one piece? As JSON
@@ -28,7 +29,7 @@ type Command = (subject: string, options: Options, system: System) => Promise<nu
 
 /** What each command does, and which options it knows. */
 const COMMANDS: Readonly<Record<string, readonly [run: Command, options: readonly string[]]>> = {
-  render: [render, ["out", "width", "height", "background", "t", "seconds", "fps", "frames"]],
+  render: [render, ["out", "width", "height", "background", "t", "seconds", "fps", "frames", "ease", "hold"]],
   locus: [locus, ["out", "width", "height"]],
   connectedness: [connectedness, ["t", "epsilon"]],
   check: [check, []],

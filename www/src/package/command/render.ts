@@ -1,4 +1,5 @@
 /** Pictures and films of what a link shows. */
+import { type Easing, heldFrames, MOST_HOLD, momentsOf } from "#geometry/pace";
 import { WHITE } from "#style/colours";
 import { type ApngFrame, apngBytes } from "#workers/film/format/apng";
 import { gifSink, MOST_GIF_FPS } from "#workers/film/format/gif";
@@ -55,7 +56,7 @@ export async function render(link: string, options: Options, system: System): Pr
   const film = kind !== "svg" && (kind !== "png" || options["frames"] !== undefined);
   const foreign = film
     ? ["t"]
-    : ["seconds", "fps", "frames", ...(write ? [] : ["width", "height", "background"])];
+    : ["seconds", "fps", "frames", "ease", "hold", ...(write ? [] : ["width", "height", "background"])];
   const misplaced = foreign.find((name) => options[name] !== undefined);
   if (misplaced)
     throw new Refusal(
@@ -67,14 +68,17 @@ export async function render(link: string, options: Options, system: System): Pr
   const t = number(options, "t", 0, 1, shown.t);
   if (!write) return drawing(shown, t, out, system);
   const fps = number(options, "fps", 1, kind === "gif" ? MOST_GIF_FPS : 120, 25);
-  const count = film ? framesOf(options, fps, shown) : 1;
+  const moving = film ? framesOf(options, fps, shown) : 1;
+  const repeat = shown.round ? "round" : "once";
+  const pace = { easing: easingOf(options, shown), held: heldOf(options, fps, shown) };
+  const count = moving + 2 * pace.held;
+  if (count > MOST_FRAMES)
+    throw new Refusal(`${count} frames are too many: ${MOST_FRAMES} is the most. Say a smaller --hold.`);
   if (film && kind !== "png" && write !== video && count * look.width * look.height > MOST_HELD)
     throw new Refusal(
       "This film is too large for one file: write frames with --frames and .png, or a smaller one.",
     );
-  // Where the end goes on to the beginning, that is not shown twice.
-  const last = shown.round ? count : count - 1;
-  const moments = film ? Array.from({ length: count }, (_, i) => (last > 0 ? i / last : 0)) : [t];
+  const moments = film ? momentsOf({ from: 0, to: 1 }, moving, repeat, pace) : [t];
   const paint = await shown.frames(moments, look);
   const drawn = async (i: number): Promise<Pixels> => {
     const pixels = await paint(i);
@@ -118,6 +122,23 @@ function framesOf(options: Options, fps: number, { still, seconds: usual }: Show
   return Math.min(MOST_FRAMES, Math.max(1, Math.round(seconds * fps)));
 }
 
+const NO_ENDS = "its end goes on to its beginning";
+
+/** --ease: whether it starts and stops gently. */
+function easingOf({ ease }: Options, { round }: Shown): Easing {
+  if (ease === undefined || ease === "linear") return "linear";
+  if (ease !== "in-out") throw new Refusal(`--ease is linear or in-out, and not "${ease}".`);
+  if (round) throw new Refusal(`This film has no --ease: ${NO_ENDS}.`);
+  return "ease";
+}
+
+/** --hold: frames that stand still at each end. */
+function heldOf(options: Options, fps: number, { round }: Shown): number {
+  const hold = number(options, "hold", 0, MOST_HOLD, 0);
+  if (round && hold > 0) throw new Refusal(`This film has no --hold: ${NO_ENDS}.`);
+  return heldFrames(hold, fps, round ? "round" : "once");
+}
+
 /** As a shell reads it back, whatever is in it. */
 const quoted = (text: string) => `'${text.replaceAll("'", "'\\''")}'`;
 
@@ -127,9 +148,13 @@ function byFfmpeg(link: string, out: string, options: Options): string {
   const fps = options["fps"] ?? 25;
   const frames = options["frames"] ?? Math.max(1, Math.round(Number(options["seconds"] ?? 8) * Number(fps)));
   const ground = String(options["background"] ?? WHITE);
+  const pace = (["ease", "hold"] as const)
+    .filter((name) => options[name] !== undefined)
+    .map((name) => ` --${name} ${quoted(String(options[name]))}`)
+    .join("");
   return [
     "Node encodes no video. Install ffmpeg, which Frond then uses, or have it make one of frames elsewhere:",
-    `  frond render ${quoted(link)} --out ${quoted(`${name}.png`)} --frames ${frames} --background ${quoted(ground)}`,
+    `  frond render ${quoted(link)} --out ${quoted(`${name}.png`)} --frames ${frames} --background ${quoted(ground)}${pace}`,
     `  ffmpeg -framerate ${fps} -i ${quoted(`${name}-%04d.png`)} -pix_fmt yuv420p ${quoted(out)}`,
     "Or write .gif or .apng. The studio, too, saves MP4 and WebM.",
   ].join("\n");
