@@ -117,8 +117,40 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   await dialog.getByRole("button", { name: "Make the film" }).click();
   await dialog.getByRole("button", { name: "Cancel" }).click();
   await expect(dialog.getByRole("button", { name: "Make the film" })).toBeVisible();
+
+  // It goes on while the dialog is closed, in another tool and among the figures; there it is ended, too.
+  await dialog.getByRole("button", { name: "Make the film" }).click();
   await page.keyboard.press("Escape");
   await expect(dialog).toHaveCount(0);
+  const chip = page.getByRole("region", { name: "The film in the making" });
+  await expect(chip.getByRole("progressbar", { name: "Frames made" })).toBeVisible();
+  await expectClean(page);
+  await page.getByRole("link", { name: "Figures" }).click();
+  await chip.getByRole("button", { name: /^Film \d+%$/ }).click();
+  await expect(dialog.getByRole("button", { name: "Cancel" })).toBeVisible();
+  await page.keyboard.press("Escape");
+  await chip.getByRole("button", { name: "Cancel the film" }).click();
+  await expect(chip).toHaveCount(0);
+  await page.goBack();
+
+  // What was made meanwhile is shown when one likes.
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Film …" }).click();
+  for (const side of ["Width", "Height"]) {
+    await dialog.getByRole("spinbutton", { name: side }).fill("64");
+    await dialog.getByRole("spinbutton", { name: side }).press("Enter");
+  }
+  const download = page.waitForEvent("download", { timeout: 120_000 });
+  await dialog.getByRole("button", { name: "Make the film" }).click();
+  await page.keyboard.press("Escape");
+  await download;
+  const there = page.getByRole("region", { name: "The film", exact: true });
+  await expect(there).toContainText("The film is in your downloads.");
+  await there.getByRole("button", { name: "Open" }).click();
+  await expect(dialog.getByText("10 frames")).toBeVisible();
+  await expect(there).toHaveCount(0);
+  await page.keyboard.press("Escape");
+  await expect(there).toHaveCount(0);
 
   // One step as a picture, from the figure that is chosen.
   const picture = async (seed: string) => {

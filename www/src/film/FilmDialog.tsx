@@ -16,23 +16,30 @@ const close = () => {
   exportOpen.value = null;
 };
 
-/** A film of what moves, or its numbers: choose, watch it being made, and have it. */
-export function FilmDialog({ films }: { films: () => Promise<Films> }) {
+/**
+ * A film of what moves, or its numbers: choose, watch it being made, and have it. `films` is what the open tool has to
+ * film; a film of another tool is shown without.
+ */
+export function FilmDialog({ films }: { films: (() => Promise<Films>) | undefined }) {
   return (
     <Dialog title="Export" about={about()} onClose={close} wide>
       {job.value ? (
         <Running job={job.value} />
       ) : made.value ? (
         <Finished made={made.value} />
-      ) : (
+      ) : films ? (
         <Choose films={films} />
+      ) : (
+        <p class={css["export-nothing"]}>
+          There is nothing to film here. Open Morph, Deform or Space, and make the film there.
+        </p>
       )}
     </Dialog>
   );
 }
 
 function about(): string {
-  if (job.value) return "You can close this, and go on working: it is made all the same.";
+  if (job.value) return "You can close this and go on working. The header shows how far it is.";
   if (made.value) return "It is in your downloads.";
   return isFilm(plan.value.kind)
     ? "Every frame is complete, however long that takes."

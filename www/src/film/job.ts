@@ -4,8 +4,8 @@ import { type ReadonlySignal, signal } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { downloadFrom } from "#ui/files/download";
 import { type Film, makeFilm } from "#workers/film/film";
-import { exportOpen, filmProgress, openFilm } from "./open";
-import { bitrateOf, bytesWords, canBeClear, fileName, isFilm, type Plan, secondsLeft, timesOf } from "./plan";
+import { exportOpen, filmProgress, filmUnseen } from "./open";
+import { bitrateOf, canBeClear, fileName, isFilm, type Plan, secondsLeft, timesOf } from "./plan";
 import { framesGo } from "./settings";
 import type { FilmSubject } from "./subject";
 
@@ -101,18 +101,14 @@ function finish(what: Pick<Made, "plan" | "name" | "frames">, { bytes, type, mis
   const result = { ...what, blob, url: URL.createObjectURL(blob), missing };
   finished.value = result;
   save(result);
-  if (exportOpen.peek() === "film") return;
-  notify({
-    kind: "info",
-    text: `${result.name} is made: ${bytesWords(blob.size)}.`,
-    action: { label: "Show it", run: openFilm },
-  });
+  filmUnseen.value = exportOpen.peek() !== "film";
 }
 
 /** What was made is let go. */
 export function forget(): void {
   const old = finished.peek();
   finished.value = null;
+  filmUnseen.value = false;
   if (old) setTimeout(() => URL.revokeObjectURL(old.url), 10_000);
 }
 

@@ -1,5 +1,5 @@
 /** What the page knows of the dialogs of films and pictures: the rest is loaded when it is asked for. */
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import type { Command } from "#ui/commands";
 
 /** Which is open. */
@@ -8,7 +8,16 @@ export const exportOpen = signal<"film" | "picture" | "mesh" | "share" | "publis
 /** How far the film is that is being made, 0 to 1; null while none is. */
 export const filmProgress = signal<number | null>(null);
 
+/** Whether a film was made while its dialog was closed, and has not been seen yet. */
+export const filmUnseen = signal(false);
+
+/** Whether there is more to say of a film than its closed dialog says. */
+export const filmTold = computed(
+  () => exportOpen.value !== "film" && (filmProgress.value !== null || filmUnseen.value),
+);
+
 export function openFilm(): void {
+  filmUnseen.value = false;
   exportOpen.value = "film";
 }
 

@@ -19,7 +19,7 @@ export function Exports() {
   const still = entry.stage === undefined ? stageStill : tool?.still;
   if (exportOpen.value === "share" || exportOpen.value === "publish") return <ShareDialog still={still} />;
   if (exportOpen.value === "recent") return <Recent />;
-  if (exportOpen.value === "film") return tool?.films ? <FilmDialog films={tool.films} /> : null;
+  if (exportOpen.value === "film") return <FilmDialog films={tool?.films} />;
   if (exportOpen.value === "mesh") return tool?.MeshDialog ? <tool.MeshDialog /> : null;
   return still ? <PictureDialog still={still} link={() => addressOf(link.fragment())} /> : null;
 }

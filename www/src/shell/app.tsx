@@ -31,6 +31,8 @@ export function App({ backend }: { backend: "auto" | PainterBackend }) {
     <>
       <Header />
       {at.page === "studio" ? <Studio backend={backend} /> : <FiguresPage {...at} />}
+      {/* A film goes on, and is shown, wherever one goes meanwhile. */}
+      {at.page !== "studio" && exportOpen.value === "film" && <Exports />}
       <Notices />
     </>
   );

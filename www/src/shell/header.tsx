@@ -3,17 +3,20 @@ import { route } from "#document/link";
 import { selection } from "#document/morph";
 import { setTheme, type Theme, theme } from "#document/preferences";
 import { openTool, tool } from "#document/tool";
-import { filmProgress, openFilm, openMesh, openPicture, openRecent, openShare } from "#film/open";
+import { filmProgress, filmTold, openFilm, openMesh, openPicture, openRecent, openShare } from "#film/open";
 import { commandCalled, help, withKey } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
 import { askForFile } from "#ui/files/door";
 import { startExport } from "#ui/files/exporting";
+import { lazily } from "#ui/lazy";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
 import type { Tool as ToolName } from "#wasm/api";
 import { CURVE_FILES, insteadOnStage, printStage, saveCurve, savePicture, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
 import css from "./shell.module.css";
 import { openedTool, TOOLS } from "./tools";
+
+const FilmChip = lazily(() => import("#film/FilmChip").then((module) => module.FilmChip));
 
 const NEXT_THEME: Record<Theme, Theme> = { auto: "light", light: "dark", dark: "auto" };
 const THEME_WORDS: Record<Theme, string> = {
@@ -50,6 +53,7 @@ export function Header() {
         </Place>
       </nav>
       <PlaceChoice />
+      {filmTold.value && <FilmChip />}
       <div class="tools">
         {studio && <StudioTools />}
         <Tool
