@@ -78,6 +78,16 @@ const EASINGS: readonly { value: Easing; label: string; description: string }[] 
   },
 ];
 
+const DITHERS = [
+  {
+    value: "auto",
+    label: "Auto",
+    description: "Only where the film has more shades than 256 colours show well",
+  },
+  { value: "on", label: "On", description: "Mixes colours from dots: smoother shades, and a larger file" },
+  { value: "off", label: "Off", description: "Flat colours, and a smaller file" },
+] as const;
+
 /** What is chosen of a subject, and the first frame beside it. */
 export function Settings({ of: subject }: { of: FilmSubject }) {
   const now = plan.value;
@@ -250,13 +260,12 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
       )}
       <Ground of={of} stage={subject.ground} canBeClear={canBeClear(kind)} choose={choose} />
       {kind === "gif" && (
-        <Switch
-          checked={dither}
-          description="Smoother, and a larger file"
-          onChange={(next) => choose({ dither: next })}
-        >
-          Mix colours from dots
-        </Switch>
+        <ChoiceRow
+          label="Dithering"
+          options={DITHERS}
+          value={dither === null ? "auto" : dither ? "on" : "off"}
+          onChange={(next) => choose({ dither: next === "auto" ? null : next === "on" })}
+        />
       )}
       {subject.choosesSmooth && (
         <Switch

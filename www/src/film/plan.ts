@@ -30,8 +30,8 @@ export interface Plan {
   ground: string | null;
   /** Whether what is clear stays clear, where the kind of file can. */
   clear: boolean;
-  /** Of a GIF: colours in between as dots of others. */
-  dither: boolean;
+  /** Of a GIF: colours in between as dots of others; null: where that looks better. */
+  dither: boolean | null;
   /** Whether each frame says its moment. */
   captions: boolean;
   /** Whether each frame shows where on the map it is. */

@@ -33,7 +33,7 @@ const chosen = signal<Omit<Plan, "from" | "to" | "easing">>({
   smooth: navigator.hardwareConcurrency >= MANY_CORES,
   ground: null,
   clear: false,
-  dither: true,
+  dither: null,
   captions: false,
   inset: false,
 });

@@ -72,7 +72,7 @@ async function shortFilm(
   const { fps } = FILMS[kind];
   const easing = loop === "pingpong" ? (subject.easing ?? "linear") : "linear";
   const times = timesOf({ from: 0, to: subject.seconds, fps, easing }, loop);
-  const settings = { ...settingsOf(kind), kind, ground: subject.ground, dither: true };
+  const settings = { ...settingsOf(kind), kind, ground: subject.ground, dither: null };
   const request = { subject, times, settings, smooth: true, captions: false, inset: false };
   const { bytes } = await makeFilm(request, signal, (done) =>
     tell(`Drawing the film: ${done} of ${times.length} frames`),

@@ -13,7 +13,7 @@ it("goes by faster or slower, and what is said of a moment goes with it", async 
     loop: "once",
     ground: "#000000",
     easing: null,
-      choosesSmooth: false,
+    choosesSmooth: false,
     caption: (at) => `at ${at}`,
     inset: { map: () => ({ size: 0, pixels: new Uint8ClampedArray(0), way: [] }), at: (at) => [at / 8, 0] },
     drawer: () => ({

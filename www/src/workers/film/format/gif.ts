@@ -1,4 +1,5 @@
 import { channels } from "../opaque";
+import { indexed, matcher, paletteOf } from "./gif-colours";
 import type { FilmSettings, Sink } from "./sink";
 
 /** One of the 256 means: as it was in the frame before. */
@@ -22,21 +23,20 @@ export async function gifSink({
   dither,
   samples = new Uint8ClampedArray(4),
 }: Omit<FilmSettings, "kind" | "bitrate">): Promise<Sink> {
-  const { GIFEncoder, applyPalette, quantize } = await import("gifenc");
+  const { GIFEncoder, quantize } = await import("gifenc");
   const gif = GIFEncoder();
   const behind = ground === null ? null : channels(ground);
   // The ground is most of many pictures: it is exactly what it is on the page.
-  const palette = [
-    ...(behind ? [behind] : []),
-    ...quantize(visible(samples), COLOURS - 1).slice(0, COLOURS - 1),
-  ];
-  const table = [...palette];
+  const { colours, rough } = paletteOf(visible(samples), behind, COLOURS, quantize);
+  const mixes = dither ?? rough;
+  const nearest = matcher(colours);
+  const table = colours.map((colour) => [...colour]);
   while (table.length <= SAME) table.push([0, 0, 0]);
   let before: Uint8Array | null = null;
   let frame = 0;
   return {
     async add(pixels) {
-      const index = applyPalette(dither ? dithered(pixels, width, behind) : pixels, palette);
+      const index = indexed(mixes ? dithered(pixels, width, behind) : pixels, nearest);
       // Nothing of a frame before shines through where this one is clear.
       if (!behind) clearOf(pixels, index);
       const written = before && behind ? changesSince(before, index) : index;

@@ -23,5 +23,4 @@ declare module "gifenc" {
 
   export function GIFEncoder(): Encoder;
   export function quantize(rgba: Uint8Array | Uint8ClampedArray, colours: number): Colour[];
-  export function applyPalette(rgba: Uint8Array | Uint8ClampedArray, palette: Colour[]): Uint8Array;
 }

@@ -21,8 +21,8 @@ export interface FilmSettings extends FrameSize {
   bitrate: number;
   /** "#rrggbb"; null leaves clear what is clear, where the kind can. */
   ground: string | null;
-  /** Of a GIF: whether colours that it does not have are mixed from dots. */
-  dither: boolean;
+  /** Of a GIF: whether colours that it does not have are mixed from dots; null: where that looks better. */
+  dither: boolean | null;
   /** Pixels of some frames, which choose the colours of a GIF. */
   samples?: Uint8ClampedArray<ArrayBuffer>;
 }
