@@ -1,6 +1,7 @@
 import { filmCrew } from "./client";
 import type { FileBytes } from "./encode";
 import type { FilmSettings } from "./format/sink";
+import { layOn } from "./opaque";
 import { inOrder } from "./order";
 import { overlaid } from "./overlay";
 import type { FramePixels, Subject } from "./subject";
@@ -28,7 +29,7 @@ type OnFrame = (done: number, preview: ImageBitmap | null) => void;
 const PREVIEW = 250;
 const PREVIEW_SIDE = 720;
 /** So many small frames choose the colours of a GIF. */
-const SAMPLES = 8;
+const SAMPLES = 12;
 const SAMPLE_SIDE = 160;
 
 /** Complete pictures, frame by frame, and the file of them. Rejected when called off. */
@@ -85,16 +86,20 @@ async function sampled(
   const scale = Math.min(1, SAMPLE_SIDE / Math.max(settings.width, settings.height));
   const width = Math.max(1, Math.round(settings.width * scale));
   const height = Math.max(1, Math.round(settings.height * scale));
-  const count = Math.min(SAMPLES, times.length);
+  // What stands still, and the way back, has no colours of its own.
+  const moments = [...new Set(times)];
+  const count = Math.min(SAMPLES, moments.length);
   const all = new Uint8ClampedArray(4 * width * height * count);
   const drawer = subject.drawer({ width, height, smooth, ground }, { alone: true });
   const map = inset ? subject.inset?.map() : undefined;
   try {
     let data = new Uint8ClampedArray(4 * width * height);
     for (let i = 0; i < count; i++) {
-      const time = times[Math.floor((i * times.length) / count)] ?? 0;
+      const time = moments[Math.floor((i * moments.length) / count)] ?? 0;
       const picture = await drawer.frame(time, signal);
       data = picture?.data ?? data;
+      // Edges have colours between their own and the ground's.
+      if (settings.ground !== null) layOn(data, settings.ground);
       // The small map has colours of its own.
       const at = map && subject.inset?.at(time);
       const seen = map && at ? overlaid(data, { ...settings, width, height }, { inset: { map, at } }) : data;
