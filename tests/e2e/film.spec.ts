@@ -99,8 +99,13 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   await inset.uncheck();
   await dialog.getByRole("radio", { name: "Once" }).check({ force: true });
   await dialog.getByRole("combobox", { name: "Background" }).selectOption("clear");
-  const apng = await framesOf(page, await film(page, "APNG", {}), "image/png");
-  expect(apng).toHaveLength(10);
+  const apng = await framesOf(page, await film(page, "APNG", { "Hold at ends": "0.2" }), "image/png");
+  // Either end stands still for two frames more.
+  expect(apng.map(({ milliseconds }) => milliseconds)).toEqual([
+    300,
+    ...Array.from({ length: 8 }, () => 100),
+    300,
+  ]);
   expect(Math.min(...apng.map(({ clear }) => clear))).toBeGreaterThan(1000);
 
   // A shape in the making: each step stands for a second, and is one frame.
@@ -147,7 +152,7 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   const there = page.getByRole("region", { name: "The film", exact: true });
   await expect(there).toContainText("The film is in your downloads.");
   await there.getByRole("button", { name: "Open" }).click();
-  await expect(dialog.getByText("10 frames")).toBeVisible();
+  await expect(dialog.getByText("160 frames")).toBeVisible();
   await expect(there).toHaveCount(0);
   await page.keyboard.press("Escape");
   await expect(there).toHaveCount(0);
@@ -176,6 +181,56 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   const [square, point] = [await picture("square"), await picture("point")];
   expect(square[0]?.lit).toBeGreaterThan(3 * (point[0]?.lit ?? Number.POSITIVE_INFINITY));
   expect(point[0]?.lit).toBeGreaterThan(0);
+});
+
+test("flat colours of a GIF are exact, and a video says which colours it has", async ({ studio, page }) => {
+  await studio.open("a=dragon-3&b=gasket&path=straight");
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Film …" }).click();
+  const dialog = page.getByRole("dialog", { name: "Export" });
+  const again = () => dialog.getByRole("button", { name: "Make another" }).click();
+  const small = { Width: "96", Height: "64", "Frames a second": "10", Length: "1" };
+  const gif = await framesOf(page, await film(page, "GIF", small), "image/gif");
+  await again();
+  const apng = await framesOf(page, await film(page, "APNG", {}), "image/png");
+  expect(gif.map(({ hash }) => hash)).toEqual(apng.map(({ hash }) => hash));
+
+  // Read back by the browser: what a frame is made of, its tags, and the colour of its corner.
+  const decoded = (bytes: Buffer) =>
+    page.evaluate(async (base64) => {
+      const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const video = document.createElement("video");
+      video.src = URL.createObjectURL(new Blob([data], { type: "video/webm" }));
+      video.muted = true;
+      const there = new Promise((shown) => video.requestVideoFrameCallback(shown));
+      await video.play();
+      await there;
+      video.pause();
+      const frame = new VideoFrame(video);
+      const { format, colorSpace } = frame;
+      const { matrix, primaries, fullRange } = colorSpace.toJSON();
+      const canvas = new OffscreenCanvas(frame.displayWidth, frame.displayHeight);
+      const context = canvas.getContext("2d", { willReadFrequently: true });
+      context?.drawImage(frame, 0, 0);
+      frame.close();
+      const corner = [...(context?.getImageData(0, 0, 1, 1).data ?? [])].slice(0, 3);
+      return { format, matrix, primaries, fullRange, corner, seconds: video.duration };
+    }, bytes.toString("base64"));
+  const ground = [251, 250, 246];
+  for (const [chroma, format] of [
+    ["4:2:0", "I420"],
+    ["4:4:4", "I444"],
+  ] as const) {
+    await again();
+    await dialog.getByRole("radio", { name: "WebM" }).check({ force: true });
+    await dialog.getByRole("radio", { name: chroma }).check({ force: true });
+    const { corner, seconds, ...about } = await decoded(await film(page, "WebM", {}));
+    expect(about).toEqual({ format, matrix: "bt709", primaries: "bt709", fullRange: false });
+    expect(seconds).toBeCloseTo(2, 1);
+    corner.forEach((channel, k) => {
+      expect(Math.abs(channel - (ground[k] ?? 0))).toBeLessThanOrEqual(3);
+    });
+  }
 });
 
 test("a bend is filmed once round; where nothing moves the way to it is offered", async ({

@@ -78,6 +78,17 @@ const EASINGS: readonly { value: Easing; label: string; description: string }[] 
   },
 ];
 
+const CHROMAS = [
+  { value: "420", label: "4:2:0", description: "Four pixels share one colour: plays almost everywhere" },
+  { value: "444", label: "4:4:4", description: "Every pixel has its own colour: crisp edges" },
+] as const;
+
+const SAMPLES: readonly { value: `${Plan["samples"]}`; label: string; description: string }[] = [
+  { value: "1", label: "1", description: "Jagged edges, soon made" },
+  { value: "4", label: "2 × 2", description: "Smooth edges" },
+  { value: "16", label: "4 × 4", description: "The smoothest edges, in about four times the time" },
+];
+
 const DITHERS = [
   {
     value: "auto",
@@ -120,6 +131,11 @@ export function Settings({ of: subject }: { of: FilmSubject }) {
           <Picture image={preview.image} label="The first frame" ratio={width / height} />
         </div>
       )}
+      {film && (
+        <div class={css["export-look"]}>
+          <LookFields of={now} subject={subject} />
+        </div>
+      )}
       <footer class={css["export-foot"]}>
         {problem === null ? (
           <Estimate of={now} subject={subject} go={framesGo.value} cost={preview.cost} lit={preview.lit} />
@@ -159,14 +175,12 @@ function Kinds({ numbers }: { numbers: Numbers | undefined }) {
   const { kind } = plan.value;
   const found = able.value;
   const none = typeof VideoEncoder === "undefined";
-  const missing = found
-    ? ([found.mp4 ? null : "MP4", found.webm ? null : "WebM"].filter(Boolean) as string[])
-    : [];
+  const missing = found ? [...(found.mp4 ? [] : ["MP4"]), ...(found.webm ? [] : ["WebM"])] : [];
   const option = (value: Kind, label: string, description: string) => ({
     value,
     label,
     description,
-    disabled: isVideo(value) && (none || (found !== null && found[value] === null)),
+    disabled: isVideo(value) && (none || (found !== null && !found[value])),
   });
   return (
     <>
@@ -195,7 +209,7 @@ function Kinds({ numbers }: { numbers: Numbers | undefined }) {
 }
 
 function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
-  const { width, height, fps, kind, quality, smooth, dither, captions, inset } = of;
+  const { width, height, fps, kind, quality, dither } = of;
   return (
     <>
       {subject.seeds && <SeedField of={subject.seeds} />}
@@ -239,16 +253,18 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
         />
       )}
       {hasEnds.value && (
-        <NumberField
-          label="Hold at ends"
-          value={of.hold}
-          min={0}
-          max={MOST_HOLD}
-          step={0.5}
-          digits={2}
-          unit="s"
-          onChange={(next) => choose({ hold: next })}
-        />
+        <div class={css["export-pair"]}>
+          <NumberField
+            label="Hold at ends"
+            value={of.hold}
+            min={0}
+            max={MOST_HOLD}
+            step={0.5}
+            digits={2}
+            unit="s"
+            onChange={(next) => choose({ hold: next })}
+          />
+        </div>
       )}
       {isVideo(kind) && (
         <ChoiceRow
@@ -258,7 +274,17 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
           onChange={(next) => choose({ quality: next })}
         />
       )}
-      <Ground of={of} stage={subject.ground} canBeClear={canBeClear(kind)} choose={choose} />
+      {isVideo(kind) && !(of.clear && canBeClear(kind)) && able.value?.fullColour && (
+        <ChoiceRow
+          label="Chroma"
+          options={CHROMAS}
+          value={of.fullColour ? "444" : "420"}
+          onChange={(next) => choose({ fullColour: next === "444" })}
+        />
+      )}
+      {of.fullColour && (
+        <p class="hint">Plays in Chrome, Edge, Firefox and VLC, but not in Safari or QuickTime.</p>
+      )}
       {kind === "gif" && (
         <ChoiceRow
           label="Dithering"
@@ -267,15 +293,22 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
           onChange={(next) => choose({ dither: next === "auto" ? null : next === "on" })}
         />
       )}
-      {subject.choosesSmooth && (
-        <Switch
-          checked={smooth}
-          description="Four pixels are drawn for each one"
-          onChange={(next) => choose({ smooth: next })}
-        >
-          Smooth edges, in about four times the time
-        </Switch>
-      )}
+    </>
+  );
+}
+
+/** How its frames look. */
+function LookFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
+  const { kind, captions, inset } = of;
+  return (
+    <>
+      <ChoiceRow
+        label="Samples per pixel"
+        options={subject.choosesSmooth ? SAMPLES : SAMPLES.slice(1)}
+        value={`${of.samples}` as const}
+        onChange={(next) => choose({ samples: Number(next) as Plan["samples"] })}
+      />
+      <Ground of={of} stage={subject.ground} canBeClear={canBeClear(kind)} choose={choose} />
       {subject.caption && (
         <Switch
           checked={captions}

@@ -4,7 +4,7 @@ import { wordsOf } from "#document/notice";
 import type { Repeat } from "#wasm/api";
 import { painters } from "#workers/film/crew";
 import { channels, layOn } from "#workers/film/opaque";
-import type { Subject } from "#workers/film/subject";
+import { type Subject, sampling } from "#workers/film/subject";
 import { frameCount, litPart, type Plan } from "./plan";
 
 export interface Preview {
@@ -82,7 +82,8 @@ function leastCost({ id, name }: Subject, cost: number): number {
 
 /** About how many seconds all frames take. */
 export function secondsFor(subject: Subject, plan: Plan, loop: Repeat, cost: number): number {
-  const drawn = plan.width * plan.height * (subject.choosesSmooth && plan.smooth ? 4 : 1);
+  const { smooth, drawn: larger } = sampling(plan.samples);
+  const drawn = plan.width * plan.height * larger ** 2 * (subject.choosesSmooth && smooth ? 4 : 1);
   // Colouring and writing take about as long again as a picture that is easily drawn.
   const each = 0.7 * cost * drawn + plan.width * plan.height * 4e-5;
   return (each * frameCount(plan, loop)) / painters(drawn) / 1000;

@@ -81,14 +81,15 @@ function filmOf(
   signal: AbortSignal,
   onFrame: (done: number, preview?: ImageBitmap | null) => void,
 ): Promise<Film> {
-  const { kind, width, height, fps, smooth, captions, dither, inset } = plan;
+  const { kind, width, height, fps, samples, fullColour, captions, dither, inset } = plan;
   if (!isFilm(kind)) {
     if (!subject.numbers) throw new Error("This has no numbers.");
     return subject.numbers.make(plan, times, signal, onFrame);
   }
   const ground = plan.clear && canBeClear(kind) ? null : (plan.ground ?? subject.ground);
-  const settings = { kind, width, height, fps, bitrate: bitrateOf(plan), ground, dither };
-  return makeFilm({ subject, times, settings, smooth, captions, inset }, signal, onFrame);
+  const chroma = fullColour ? ("444" as const) : ("420" as const);
+  const settings = { kind, width, height, fps, bitrate: bitrateOf(plan), ground, dither, chroma };
+  return makeFilm({ subject, times, settings, samples, captions, inset }, signal, onFrame);
 }
 
 export function cancel(): void {

@@ -26,7 +26,8 @@ const plan: Plan = {
   easing: "linear",
   hold: 0,
   quality: "good",
-  smooth: true,
+  samples: 4,
+  fullColour: false,
   ground: null,
   clear: false,
   dither: true,
@@ -108,12 +109,21 @@ describe("a plan", () => {
     expect(planProblem({ ...large, kind: "mp4" }, "once")).toBeNull();
   });
 
+  it("is refused where its frames would be drawn larger than can be", () => {
+    const fine = { ...plan, samples: 16 as const };
+    expect(planProblem({ ...fine, width: 1920, height: 1080 }, "once")).toBeNull();
+    expect(planProblem({ ...fine, width: 2048, height: 2048 }, "once")).toBeNull();
+    expect(planProblem({ ...fine, width: 3840, height: 2160 }, "once")).toContain("16 samples per pixel");
+    expect(planProblem({ ...plan, width: 3840, height: 2160 }, "once")).toBeNull();
+  });
+
   it("has even sides", () => {
     expect([15.2, 101, 480].map(even)).toEqual([16, 102, 480]);
   });
 
   it("says about how large it will be", () => {
     expect(bitrateOf(plan)).toBe(Math.round(1280 * 720 * 30 * 0.2));
+    expect(bitrateOf({ ...plan, fullColour: true })).toBe(Math.round(1280 * 720 * 30 * 0.26));
     expect(bitrateOf({ ...plan, width: 16, height: 16 })).toBe(300e3);
     expect(filmBytes({ ...plan, quality: "best" }, "round")).toBeGreaterThan(2 * filmBytes(plan, "round"));
     const gif = (lit: number) => filmBytes({ ...plan, kind: "gif" }, "round", lit);

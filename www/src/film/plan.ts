@@ -5,6 +5,7 @@ import { type Easing, heldFrames, MOST_HOLD, momentsOf } from "#geometry/pace";
 import type { Repeat } from "#wasm/api";
 import { MOST_GIF_FPS } from "#workers/film/format/gif";
 import type { FilmKind } from "#workers/film/format/sink";
+import { type Samples, sampling } from "#workers/film/subject";
 
 /** Every frame as numbers, or what they are made from. */
 export type NumbersKind = "frames" | "keys";
@@ -24,8 +25,10 @@ export interface Plan {
   /** Seconds that it stands still at each end. */
   hold: number;
   quality: Quality;
-  /** Whether edges are smoothed, by drawing four pixels for each. */
-  smooth: boolean;
+  /** For each pixel: the more, the smoother are edges. */
+  samples: Samples;
+  /** Of a video: whether each pixel has a colour of its own, and not four pixels one. */
+  fullColour: boolean;
   /** "#rrggbb"; null: as on the stage. */
   ground: string | null;
   /** Whether what is clear stays clear, where the kind of file can. */
@@ -108,6 +111,9 @@ export function planProblem(plan: Plan, loop: Repeat): string | null {
       return `Each side has ${LEAST_SIDE} to ${grouped(MOST_SIDE)} pixels, an even number.`;
     }
   }
+  if (sampling(plan.samples).drawn ** 2 * width * height > MOST_SIDE ** 2) {
+    return "With 16 samples per pixel this size is too large. Choose 4, or a smaller size.";
+  }
   if (filmBytes(plan, loop) > MOST_BYTES) {
     return `That would be about ${bytesWords(filmBytes(plan, loop))}, more than a browser can hold. Choose a smaller size, or fewer frames.`;
   }
@@ -122,14 +128,19 @@ const PNG_BYTES = 1.2;
 /** Bits for each pixel of a frame: fractals are rough, and need many. */
 const BITS: Record<Quality, number> = { small: 0.08, good: 0.2, best: 0.5 };
 
+/** So many times the bits where each pixel has a colour of its own. */
+const FULL_COLOUR = 1.3;
+
 /** Bits a second of a video. */
 export function bitrateOf({
   width,
   height,
   fps,
   quality,
-}: Pick<Plan, "width" | "height" | "fps" | "quality">): number {
-  return Math.round(Math.min(120e6, Math.max(300e3, width * height * fps * BITS[quality])));
+  fullColour = false,
+}: Pick<Plan, "width" | "height" | "fps" | "quality"> & Partial<Pick<Plan, "fullColour">>): number {
+  const bits = BITS[quality] * (fullColour ? FULL_COLOUR : 1);
+  return Math.round(Math.min(120e6, Math.max(300e3, width * height * fps * bits)));
 }
 
 /** The part of all pixels that is neither clear nor the ground. */

@@ -4,8 +4,8 @@ import type { Easing } from "#geometry/pace";
 import type { Repeat } from "#wasm/api";
 import { filmTask } from "#workers/film/client";
 import type { Encodable } from "#workers/film/encode";
-import { lasting } from "#workers/film/subject";
-import { bitrateOf, even, isVideo, type Plan } from "./plan";
+import { lasting, type Samples } from "#workers/film/subject";
+import { bitrateOf, canBeClear, even, isVideo, type Plan } from "./plan";
 import type { NamedSize } from "./SizeFields";
 import type { SeedName } from "./seed";
 import type { FilmSubject } from "./subject";
@@ -23,27 +23,33 @@ export const SIZES: readonly NamedSize[] = [
 /** Fewer cores would be at it for long. */
 const MANY_CORES = 8;
 
-const chosen = signal<Omit<Plan, "from" | "to" | "easing">>({
+const chosen = signal<Omit<Plan, "from" | "to" | "easing" | "hold" | "samples">>({
   kind: "mp4",
   width: 854,
   height: 480,
   fps: 30,
-  hold: 0,
   quality: "good",
-  smooth: navigator.hardwareConcurrency >= MANY_CORES,
+  fullColour: false,
   ground: null,
   clear: false,
   dither: null,
   captions: false,
   inset: false,
 });
+/** What this browser can write at the chosen size; null until it has told. */
+export const able = signal<Encodable | null>(null);
 /** null: the whole time line. */
 const part = signal<{ from: number; to: number } | null>(null);
 /** Seconds, where a subject takes as long as one likes; null: as long as by itself. */
 const length = signal<number | null>(null);
 const way = signal<Repeat | null>(null);
+/** null: as many as this device has the time for. */
+const samples = signal<Samples | null>(null);
+const USUAL: Samples = navigator.hardwareConcurrency >= MANY_CORES ? 4 : 1;
 /** null: as what is filmed goes by itself. */
 const easing = signal<Easing | null>(null);
+/** Seconds at each end. */
+const hold = signal(0);
 
 /** What a shape in the making begins with. */
 const seed = signal<SeedName>("frame");
@@ -78,15 +84,30 @@ export function pick(id: string): void {
   length.value = null;
   way.value = null;
   easing.value = null;
+  hold.value = 0;
 }
 
-const paceless = computed<Omit<Plan, "easing">>(() => {
-  const { seconds = 0, numbers } = subject.value ?? {};
+const paceless = computed<Omit<Plan, "easing" | "hold">>(() => {
+  const { seconds = 0, numbers, choosesSmooth = false } = subject.value ?? {};
   const { from, to } = part.value ?? { from: 0, to: seconds };
   const { kind, ...rest } = chosen.value;
   // Not every subject can be had as numbers.
   const possible = !numbers && (kind === "frames" || kind === "keys") ? "mp4" : kind;
-  return { ...rest, kind: possible, from: Math.min(from, seconds), to: Math.min(to, seconds) };
+  const wish = samples.value ?? USUAL;
+  const fullColour =
+    rest.fullColour &&
+    isVideo(possible) &&
+    able.value?.fullColour === true &&
+    !(rest.clear && canBeClear(possible));
+  return {
+    ...rest,
+    fullColour,
+    // What is always smooth has four.
+    samples: choosesSmooth || wish > 4 ? wish : 4,
+    kind: possible,
+    from: Math.min(from, seconds),
+    to: Math.min(to, seconds),
+  };
 });
 
 /** What comes after the end of what is filmed: a part of a loop does not go round. */
@@ -110,7 +131,7 @@ export const plan: ReadonlySignal<Plan> = computed(() => {
   return {
     ...paceless.value,
     easing: there && own !== null ? (wish ?? "linear") : "linear",
-    hold: there ? paceless.value.hold : 0,
+    hold: there ? hold.value : 0,
   };
 });
 
@@ -120,7 +141,9 @@ export const framesGo = computed<Repeat>(() =>
 );
 
 export function choose(change: Partial<Plan>): void {
-  const { from, to, width, height, easing: pace, ...rest } = change;
+  const { from, to, width, height, easing: pace, hold: still, samples: fine, ...rest } = change;
+  if (still !== undefined) hold.value = still;
+  if (fine !== undefined) samples.value = fine;
   if (pace !== undefined) easing.value = pace;
   chosen.value = {
     ...chosen.peek(),
@@ -149,8 +172,6 @@ export function chooseAll(): void {
   part.value = null;
 }
 
-/** What this browser can write at the chosen size; null until it has told. */
-export const able = signal<Encodable | null>(null);
 let asked = 0;
 
 /** Asks the browser. A kind that it cannot write is not chosen any longer. */
@@ -158,7 +179,7 @@ export async function askAble(): Promise<void> {
   const ask = ++asked;
   const { width, height, fps } = plan.peek();
   const settings = { width, height, fps, bitrate: bitrateOf(plan.peek()) };
-  const nothing = { mp4: null, webm: null };
+  const nothing = { mp4: false, webm: false, fullColour: false };
   const told =
     typeof VideoEncoder === "undefined"
       ? nothing
@@ -166,7 +187,7 @@ export async function askAble(): Promise<void> {
   if (ask !== asked) return;
   able.value = told;
   const { kind } = plan.peek();
-  if (isVideo(kind) && told[kind] === null) {
-    choose({ kind: (["mp4", "webm"] as const).find((other) => told[other] !== null) ?? "gif" });
+  if (isVideo(kind) && !told[kind]) {
+    choose({ kind: (["mp4", "webm"] as const).find((other) => told[other]) ?? "gif" });
   }
 }

@@ -45,7 +45,7 @@ export function Publish({ address, moves, still, onClose }: PublishProps) {
       );
     if (typeof VideoEncoder !== "undefined")
       void filmTask("encodable", mp4Settings()).then(
-        (able) => setMp4(able.mp4 !== null),
+        (able) => setMp4(able.mp4),
         () => {},
       );
     return () => stop.current?.abort();

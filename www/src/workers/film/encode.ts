@@ -2,9 +2,10 @@
 import type { Context } from "../lanes/task";
 import { apngSink } from "./format/apng";
 import { gifSink } from "./format/gif";
+import { halved } from "./format/halved";
 import { PngFile } from "./format/png-file";
 import type { FilmSettings, FrameSize, Sink } from "./format/sink";
-import { codecFor, type FilmCodec, videoSink } from "./format/video";
+import { codingFor, videoSink } from "./format/video";
 import { zipSink } from "./format/zip";
 import { layOn } from "./opaque";
 import { type InsetMap, overlaid } from "./overlay";
@@ -17,8 +18,10 @@ export interface FileBytes {
 
 /** Which kinds of video this browser can write. */
 export interface Encodable {
-  mp4: FilmCodec | null;
-  webm: FilmCodec | null;
+  mp4: boolean;
+  webm: boolean;
+  /** The same with a colour for every pixel. */
+  fullColour: boolean;
 }
 
 interface Film {
@@ -60,7 +63,12 @@ const PICTURE = "picture-file";
 
 export const encodeTasks = {
   async encodable(_: Context, settings: FrameSize & { bitrate: number }): Promise<Encodable> {
-    return { mp4: await codecFor("mp4", settings), webm: await codecFor("webm", settings) };
+    return {
+      mp4: (await codingFor("mp4", settings)) !== null,
+      webm: (await codingFor("webm", settings)) !== null,
+      // Both kinds hold the same codecs.
+      fullColour: (await codingFor("webm", settings, "444")) !== null,
+    };
   },
 
   async filmBegin({ keep }: Context, { map, ...settings }: FilmSettings & { map?: InsetMap }): Promise<void> {
@@ -89,7 +97,7 @@ export const encodeTasks = {
     return { bytes, type: TYPES.apng };
   },
 
-  /** The next frame, RGBA with straight alpha; none: the last one once more. */
+  /** The next frame, RGBA with straight alpha, as large as it is drawn; none: the last one once more. */
   async filmAdd(
     { keep }: Context,
     { pixels, words, at }: { pixels?: Uint8ClampedArray<ArrayBuffer>; words?: string; at?: Place },
@@ -97,8 +105,10 @@ export const encodeTasks = {
     const film = filmIn(keep);
     const { settings, map } = film;
     if (pixels) {
-      if (settings.ground !== null) layOn(pixels, settings.ground);
-      film.last = pixels;
+      const { width, height, drawn } = settings;
+      const made = drawn === 2 ? halved(pixels, 2 * width, 2 * height) : pixels;
+      if (settings.ground !== null) layOn(made, settings.ground);
+      film.last = made;
     }
     if (!film.last) return;
     const over = { ...(words ? { words } : {}), ...(map && at ? { inset: { map, at } } : {}) };
@@ -132,7 +142,8 @@ async function sinkFor(settings: FilmSettings): Promise<Sink> {
   if (kind === "gif") return gifSink(settings);
   if (kind === "apng") return apngSink(settings);
   if (kind === "zip") return zipSink(settings);
-  const codec = await codecFor(kind, settings);
-  if (!codec) throw UNABLE;
-  return videoSink(kind, codec, settings);
+  const coding = await codingFor(kind, settings, settings.chroma);
+  const usual = coding ?? (await codingFor(kind, settings));
+  if (!usual) throw UNABLE;
+  return videoSink(kind, usual, settings);
 }

@@ -4,14 +4,15 @@ import type { FilmSettings } from "./format/sink";
 import { layOn } from "./opaque";
 import { inOrder } from "./order";
 import { overlaid } from "./overlay";
-import type { FramePixels, Subject } from "./subject";
+import { type FramePixels, type Samples, type Subject, sampling } from "./subject";
 
 export interface FilmRequest {
   subject: Subject;
   /** Seconds, of each frame. */
   times: number[];
-  settings: FilmSettings;
-  smooth: boolean;
+  settings: Omit<FilmSettings, "drawn" | "samples">;
+  /** Looks at the subject for each pixel. */
+  samples: Samples;
   captions: boolean;
   /** Whether its small map lies over it, where it has one. */
   inset: boolean;
@@ -34,9 +35,10 @@ const SAMPLE_SIDE = 160;
 
 /** Complete pictures, frame by frame, and the file of them. Rejected when called off. */
 export async function makeFilm(request: FilmRequest, signal: AbortSignal, onFrame: OnFrame): Promise<Film> {
-  const { subject, times, settings, smooth, captions } = request;
+  const { subject, times, settings, captions } = request;
+  const { smooth, drawn } = sampling(request.samples);
   const inset = request.inset ? subject.inset : undefined;
-  const { width, height } = settings;
+  const [width, height] = [drawn * settings.width, drawn * settings.height];
   const ground = settings.ground ?? subject.ground;
   const { task, end } = filmCrew();
   const drawer = subject.drawer({ width, height, smooth, ground });
@@ -44,7 +46,7 @@ export async function makeFilm(request: FilmRequest, signal: AbortSignal, onFram
   try {
     const samples = settings.kind === "gif" ? { samples: await sampled(request, ground, signal) } : {};
     const map = inset ? { map: inset.map() } : {};
-    await task("filmBegin", { ...settings, ...samples, ...map }, options);
+    await task("filmBegin", { ...settings, drawn, ...samples, ...map }, options);
     let told = 0;
     await inOrder<FramePixels | null>(
       times.length,
@@ -79,7 +81,7 @@ export async function makeFilm(request: FilmRequest, signal: AbortSignal, onFram
 
 /** Some frames of all, small, one below the other. */
 async function sampled(
-  { subject, times, settings, smooth, inset }: FilmRequest,
+  { subject, times, settings, samples, inset }: FilmRequest,
   ground: string,
   signal: AbortSignal,
 ) {
@@ -90,6 +92,7 @@ async function sampled(
   const moments = [...new Set(times)];
   const count = Math.min(SAMPLES, moments.length);
   const all = new Uint8ClampedArray(4 * width * height * count);
+  const { smooth } = sampling(samples);
   const drawer = subject.drawer({ width, height, smooth, ground }, { alone: true });
   const map = inset ? subject.inset?.map() : undefined;
   try {

@@ -21,6 +21,15 @@ export interface FrameLook {
   ground: string;
 }
 
+/** How often the subject is looked at for each pixel of a film. */
+export type Samples = 1 | 4 | 16;
+
+/** How a frame is drawn of which each pixel has so many samples: smooth is four, and twice as large four times. */
+export const sampling = (samples: Samples): { smooth: boolean; drawn: 1 | 2 } => ({
+  smooth: samples > 1,
+  drawn: samples === 16 ? 2 : 1,
+});
+
 /** Draws the frames of one film. */
 export interface Drawer {
   /** How many frames are drawn side by side. */

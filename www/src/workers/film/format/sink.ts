@@ -1,3 +1,5 @@
+import type { Chroma } from "./yuv";
+
 /** What takes frames one after the other and becomes a file. */
 export interface Sink {
   /** RGBA, row 0 on top: opaque, but where the film has no ground. It is not kept. */
@@ -21,6 +23,10 @@ export interface FilmSettings extends FrameSize {
   bitrate: number;
   /** "#rrggbb"; null leaves clear what is clear, where the kind can. */
   ground: string | null;
+  /** Of videos: what of it has room for colours; without it four pixels share one. */
+  chroma?: Chroma;
+  /** Each frame comes so many times as wide and as high as it is in the file. */
+  drawn?: 1 | 2;
   /** Of a GIF: whether colours that it does not have are mixed from dots; null: where that looks better. */
   dither: boolean | null;
   /** Pixels of some frames, which choose the colours of a GIF. */
