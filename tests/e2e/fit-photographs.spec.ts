@@ -1,3 +1,4 @@
+import { readFile } from "node:fs/promises";
 import { expectClean } from "./axe";
 import { apart, FitTool, file, inLeaf, PAPER } from "./fit-tool";
 import { expect, test } from "./fixture";
@@ -87,6 +88,35 @@ test("two leaves become each other with their photographs, which a reload finds 
       }),
     )
     .toEqual(RED.map((part) => expect.closeTo(part, -1.5)));
+  // So does a film, unless it is to show the curves alone.
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Film …" }).click();
+  const dialog = page.getByRole("dialog", { name: "Export" });
+  const leaves = dialog.getByRole("switch", { name: "With the photographs" });
+  await expect(leaves).toBeChecked();
+  await dialog.getByRole("radio", { name: "APNG" }).check({ force: true });
+  for (const [name, value] of Object.entries({ Width: "96", Height: "96", Length: "0.5" })) {
+    await dialog.getByRole("spinbutton", { name }).fill(value);
+    await dialog.getByRole("spinbutton", { name }).press("Enter");
+  }
+  for (const on of [true, false]) {
+    await leaves.setChecked(on, { force: true });
+    const download = page.waitForEvent("download");
+    await dialog.getByRole("button", { name: "Make the film" }).click();
+    const bytes = await readFile(await (await download).path());
+    const first = await page.evaluate(async (base64) => {
+      const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const image = await createImageBitmap(new Blob([data], { type: "image/png" }));
+      const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      context?.drawImage(image, 0, 0);
+      const pixel = context?.getImageData(image.width >> 1, Math.round(0.66 * image.height), 1, 1).data;
+      return [...(pixel ?? [])].slice(0, 3) as [number, number, number];
+    }, bytes.toString("base64"));
+    if (on) near(first, RED);
+    else expect(apart(first, RED)).toBeGreaterThan(24);
+    await dialog.getByRole("button", { name: "Make another" }).click();
+  }
+  await page.keyboard.press("Escape");
   await shown.uncheck({ force: true });
   expect(apart((await middle())[0], half)).toBeGreaterThan(24);
 });

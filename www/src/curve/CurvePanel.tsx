@@ -192,8 +192,8 @@ function Photographs() {
       </Switch>
       <p class="hint">
         Each leaf is carried along by its outline, by mean value coordinates (Floater 2003; Hormann and
-        Floater 2006), while one fades into the other. They are in this browser alone: links, films and files
-        show the curves.
+        Floater 2006), while one fades into the other. They are in this browser alone: pictures and films show
+        them, links and other files show the curves.
       </p>
     </section>
   );

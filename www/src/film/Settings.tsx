@@ -309,6 +309,15 @@ function LookFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
         onChange={(next) => choose({ samples: Number(next) as Plan["samples"] })}
       />
       <Ground of={of} stage={subject.ground} canBeClear={canBeClear(kind)} choose={choose} />
+      {subject.photograph !== undefined && (
+        <Switch
+          checked={of.photograph}
+          description="The photographs of both leaves fade from one into the other inside the outline"
+          onChange={(next) => choose({ photograph: next })}
+        >
+          With the photographs
+        </Switch>
+      )}
       {subject.caption && (
         <Switch
           checked={captions}

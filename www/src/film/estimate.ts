@@ -28,12 +28,14 @@ interface Shown {
   at: number;
   ground: string | null;
   clear: boolean;
+  /** Missing: as by itself. */
+  photograph?: boolean;
 }
 
 /** A moment, small. */
 export function usePreview(
   subject: Subject | null,
-  { width, height, at, clear, ground: own }: Shown,
+  { width, height, at, clear, ground: own, photograph }: Shown,
 ): Preview {
   const [preview, setPreview] = useState(NOTHING);
   const ground = own ?? subject?.ground ?? "";
@@ -46,7 +48,8 @@ export function usePreview(
       height: Math.max(1, Math.round(height * scale)),
     };
     const draw = async () => {
-      const drawer = subject.drawer({ ...size, smooth: false, ground }, { alone: true });
+      const look = { ...size, smooth: false, ground, ...(photograph === undefined ? {} : { photograph }) };
+      const drawer = subject.drawer(look, { alone: true });
       try {
         const picture = await drawer.frame(at, stop.signal);
         if (!picture) throw new Error("There is no picture at that moment. Choose another.");
@@ -66,7 +69,7 @@ export function usePreview(
       clearTimeout(timer);
       stop.abort();
     };
-  }, [subject, width, height, at, ground, clear]);
+  }, [subject, width, height, at, ground, clear, photograph]);
   return preview;
 }
 

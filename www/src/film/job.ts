@@ -81,7 +81,7 @@ function filmOf(
   signal: AbortSignal,
   onFrame: (done: number, preview?: ImageBitmap | null) => void,
 ): Promise<Film> {
-  const { kind, width, height, fps, samples, fullColour, captions, dither, inset } = plan;
+  const { kind, width, height, fps, samples, fullColour, photograph, captions, dither, inset } = plan;
   if (!isFilm(kind)) {
     if (!subject.numbers) throw new Error("This has no numbers.");
     return subject.numbers.make(plan, times, signal, onFrame);
@@ -89,7 +89,7 @@ function filmOf(
   const ground = plan.clear && canBeClear(kind) ? null : (plan.ground ?? subject.ground);
   const chroma = fullColour ? ("444" as const) : ("420" as const);
   const settings = { kind, width, height, fps, bitrate: bitrateOf(plan), ground, dither, chroma };
-  return makeFilm({ subject, times, settings, samples, captions, inset }, signal, onFrame);
+  return makeFilm({ subject, times, settings, samples, photograph, captions, inset }, signal, onFrame);
 }
 
 export function cancel(): void {

@@ -31,6 +31,7 @@ const plan: Plan = {
   ground: null,
   clear: false,
   dither: true,
+  photograph: false,
   captions: false,
   inset: false,
 };

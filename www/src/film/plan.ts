@@ -35,6 +35,8 @@ export interface Plan {
   clear: boolean;
   /** Of a GIF: colours in between as dots of others; null: where that looks better. */
   dither: boolean | null;
+  /** Whether photographs lie in it, where there are some. */
+  photograph: boolean;
   /** Whether each frame says its moment. */
   captions: boolean;
   /** Whether each frame shows where on the map it is. */

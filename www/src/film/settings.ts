@@ -23,7 +23,7 @@ export const SIZES: readonly NamedSize[] = [
 /** Fewer cores would be at it for long. */
 const MANY_CORES = 8;
 
-const chosen = signal<Omit<Plan, "from" | "to" | "easing" | "hold" | "samples">>({
+const chosen = signal<Omit<Plan, "from" | "to" | "easing" | "hold" | "samples" | "photograph">>({
   kind: "mp4",
   width: 854,
   height: 480,
@@ -48,6 +48,8 @@ const samples = signal<Samples | null>(null);
 const USUAL: Samples = navigator.hardwareConcurrency >= MANY_CORES ? 4 : 1;
 /** null: as what is filmed goes by itself. */
 const easing = signal<Easing | null>(null);
+/** null: as on the stage. */
+const photograph = signal<boolean | null>(null);
 /** Seconds at each end. */
 const hold = signal(0);
 
@@ -85,6 +87,7 @@ export function pick(id: string): void {
   way.value = null;
   easing.value = null;
   hold.value = 0;
+  photograph.value = null;
 }
 
 const paceless = computed<Omit<Plan, "easing" | "hold">>(() => {
@@ -104,6 +107,7 @@ const paceless = computed<Omit<Plan, "easing" | "hold">>(() => {
     fullColour,
     // What is always smooth has four.
     samples: choosesSmooth || wish > 4 ? wish : 4,
+    photograph: photograph.value ?? subject.value?.photograph ?? false,
     kind: possible,
     from: Math.min(from, seconds),
     to: Math.min(to, seconds),
@@ -141,7 +145,18 @@ export const framesGo = computed<Repeat>(() =>
 );
 
 export function choose(change: Partial<Plan>): void {
-  const { from, to, width, height, easing: pace, hold: still, samples: fine, ...rest } = change;
+  const {
+    from,
+    to,
+    width,
+    height,
+    easing: pace,
+    hold: still,
+    samples: fine,
+    photograph: leaf,
+    ...rest
+  } = change;
+  if (leaf !== undefined) photograph.value = leaf;
   if (still !== undefined) hold.value = still;
   if (fine !== undefined) samples.value = fine;
   if (pace !== undefined) easing.value = pace;

@@ -73,7 +73,16 @@ async function shortFilm(
   const easing = loop === "pingpong" ? (subject.easing ?? "linear") : "linear";
   const times = timesOf({ from: 0, to: subject.seconds, fps, easing }, loop);
   const settings = { ...settingsOf(kind), kind, ground: subject.ground, dither: null };
-  const request = { subject, times, settings, samples: 4 as const, captions: false, inset: false };
+  const photograph = subject.photograph ?? false;
+  const request = {
+    subject,
+    times,
+    settings,
+    samples: 4 as const,
+    photograph,
+    captions: false,
+    inset: false,
+  };
   const { bytes } = await makeFilm(request, signal, (done) =>
     tell(`Drawing the film: ${done} of ${times.length} frames`),
   );

@@ -5,7 +5,7 @@ import { curveDrawer } from "#curve/film";
 import { directedDrawer } from "#directed/film";
 import { pieceColours } from "#document/colours";
 import { curved, curveMorph } from "#document/curve/curve";
-import { photographsSeen } from "#document/curve/photographs";
+import { photographs, photographsShown } from "#document/curve/photographs";
 import { bend } from "#document/deform/bend";
 import { directedShapes, directedWay } from "#document/directed/directed";
 import { pathTrack } from "#document/framing";
@@ -40,7 +40,8 @@ export async function films(): Promise<Films> {
   const way = directedWay.peek();
   const frames = standInFilm.peek();
   const instead = standIn.peek();
-  const photographs = photographsSeen.peek();
+  const leaves = curve ? photographs.peek() : null;
+  const leavesShown = photographsShown.peek();
   const points = pathPoints.peek();
   const options = morphOptions.peek();
   const told = along.peek()?.told;
@@ -50,7 +51,7 @@ export async function films(): Promise<Films> {
     const view = (t: number) => frameView(boxAt(track, t), look);
     if (curve) {
       const curveAt = (at: number) => ({ s: moment(at), bend: bent, view: view(moment(at)) });
-      return curveDrawer(look, colouring, curveAt, photographs);
+      return curveDrawer(look, colouring, curveAt, (look.photograph ?? leavesShown) ? leaves : null);
     }
     if (way) {
       return directedDrawer(look, way, colouring, (at) => ({ t: moment(at), view: view(moment(at)) }));
@@ -81,6 +82,7 @@ export async function films(): Promise<Films> {
     easing: "ease",
     ground,
     choosesSmooth: false,
+    ...(leaves ? { photograph: leavesShown } : {}),
     caption: (at) => {
       const t = moment(at);
       const known = way

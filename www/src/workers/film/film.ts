@@ -13,6 +13,8 @@ export interface FilmRequest {
   settings: Omit<FilmSettings, "drawn" | "samples">;
   /** Looks at the subject for each pixel. */
   samples: Samples;
+  /** Whether photographs lie in it, where it has some. */
+  photograph: boolean;
   captions: boolean;
   /** Whether its small map lies over it, where it has one. */
   inset: boolean;
@@ -41,7 +43,7 @@ export async function makeFilm(request: FilmRequest, signal: AbortSignal, onFram
   const [width, height] = [drawn * settings.width, drawn * settings.height];
   const ground = settings.ground ?? subject.ground;
   const { task, end } = filmCrew();
-  const drawer = subject.drawer({ width, height, smooth, ground });
+  const drawer = subject.drawer({ width, height, smooth, ground, photograph: request.photograph });
   const options = { signal };
   try {
     const samples = settings.kind === "gif" ? { samples: await sampled(request, ground, signal) } : {};
@@ -81,7 +83,7 @@ export async function makeFilm(request: FilmRequest, signal: AbortSignal, onFram
 
 /** Some frames of all, small, one below the other. */
 async function sampled(
-  { subject, times, settings, samples, inset }: FilmRequest,
+  { subject, times, settings, samples, photograph, inset }: FilmRequest,
   ground: string,
   signal: AbortSignal,
 ) {
@@ -93,7 +95,7 @@ async function sampled(
   const count = Math.min(SAMPLES, moments.length);
   const all = new Uint8ClampedArray(4 * width * height * count);
   const { smooth } = sampling(samples);
-  const drawer = subject.drawer({ width, height, smooth, ground }, { alone: true });
+  const drawer = subject.drawer({ width, height, smooth, ground, photograph }, { alone: true });
   const map = inset ? subject.inset?.map() : undefined;
   try {
     let data = new Uint8ClampedArray(4 * width * height);

@@ -19,6 +19,8 @@ export interface FrameLook {
   smooth: boolean;
   /** What it is seen before, "#rrggbb": colours are to stand out from it. It is not part of the picture. */
   ground: string;
+  /** Whether photographs lie in it, where there are some; missing: as by itself. */
+  photograph?: boolean;
 }
 
 /** How often the subject is looked at for each pixel of a film. */
@@ -77,6 +79,8 @@ export interface Subject {
   ground: string;
   /** Whether smooth edges are a choice; else they are always smooth. */
   choosesSmooth: boolean;
+  /** Whether photographs lie in it by itself; missing: there are none. */
+  photograph?: boolean;
   /** What can be said of a moment, over the picture. */
   caption?: (seconds: number) => string;
   /** Where on a map it is, over the picture. */
