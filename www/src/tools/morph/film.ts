@@ -24,6 +24,7 @@ import { SECONDS } from "#geometry/moment";
 import type { Uv } from "#geometry/path";
 import { frameView } from "#stage/frame-view";
 import { paint } from "#stage/locus/paint";
+import { nearColours } from "#stage/near-colours";
 import { NIGHT, PAPER } from "#style/colours";
 import { isDark } from "#style/ground";
 import { plainName } from "#ui/files/download";
@@ -61,10 +62,14 @@ export async function films(): Promise<Films> {
     return planeDrawer(look, how?.alone ?? false, (at) => {
       const t = moment(at);
       const here = uvAt(points, t);
+      const maps = mapsAt(here, options);
+      const seen = view(t);
+      // A bend keeps near what is near.
+      const colours = nearColours(maps, palette, boxAt(track, t), seen.scale);
       return {
-        maps: mapsAt(here, options),
+        maps,
         weights: weightsAt(here, options),
-        options: { view: view(t), colouring, palette, lightGround, ...(bent ? { bend: bent } : {}) },
+        options: { view: seen, colouring, palette: colours, lightGround, ...(bent ? { bend: bent } : {}) },
       };
     });
   };
