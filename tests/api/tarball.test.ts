@@ -367,6 +367,7 @@ describe("the packed package", () => {
     const said = bytes("x.mp4").toString();
     expect(Number.parseInt(said, 10)).toBe(3 * 60 * 40 * 4);
     expect(said).toContain("-f rawvideo -pix_fmt rgba -s 60x40 -r 25 -i -");
+    expect(said).toMatch(/out_color_matrix=bt709.*:colorspace=bt709.* -pix_fmt yuv420p /);
     const full = '[ "$1" = -version ] && exit; echo "x.mp4: No space left on device" >&2; exit 1';
     const failed = frondBeside({ ffmpeg: full }, ...film);
     expect(failed.status).toBe(2);

@@ -65,7 +65,11 @@ const system = {
       "-",
     ];
     const even = `pad=ceil(iw/2)*2:ceil(ih/2)*2:color=${ground}`;
-    const video = ["-vf", even, "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-y", `file:${file}`];
+    // By itself ffmpeg takes the matrix of BT.601 and does not say so: players then guess, and show other colours.
+    const matrix = "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p";
+    const tags = "setparams=range=tv:colorspace=bt709:color_primaries=bt709:color_trc=iec61966-2-1";
+    const planes = ["-vf", `${even},${matrix},${tags}`, "-pix_fmt", "yuv420p"];
+    const video = [...planes, "-movflags", "+faststart", "-y", `file:${file}`];
     const words = ["-hide_banner", "-loglevel", "error", ...frames, ...video];
     const ffmpeg = spawn("ffmpeg", words, { stdio: ["pipe", "ignore", "pipe"] });
     let said = "";
