@@ -114,7 +114,7 @@ describe("a plan", () => {
     const fine = { ...plan, samples: 16 as const };
     expect(planProblem({ ...fine, width: 1920, height: 1080 }, "once")).toBeNull();
     expect(planProblem({ ...fine, width: 2048, height: 2048 }, "once")).toBeNull();
-    expect(planProblem({ ...fine, width: 3840, height: 2160 }, "once")).toContain("16 samples per pixel");
+    expect(planProblem({ ...fine, width: 3840, height: 2160 }, "once")).toContain("4 × 4 samples per pixel");
     expect(planProblem({ ...plan, width: 3840, height: 2160 }, "once")).toBeNull();
   });
 

@@ -114,7 +114,7 @@ export function planProblem(plan: Plan, loop: Repeat): string | null {
     }
   }
   if (sampling(plan.samples).drawn ** 2 * width * height > MOST_SIDE ** 2) {
-    return "With 16 samples per pixel this size is too large. Choose 4, or a smaller size.";
+    return "This size is too large for 4 × 4 samples per pixel. Choose 2 × 2, or a smaller size.";
   }
   if (filmBytes(plan, loop) > MOST_BYTES) {
     return `That would be about ${bytesWords(filmBytes(plan, loop))}, more than a browser can hold. Choose a smaller size, or fewer frames.`;
