@@ -149,7 +149,7 @@ test("a sheet goes to a class, and its answers come back as a table", async ({ p
   await page.getByRole("link", { name: "See it as your class does" }).click();
   await expect(page.getByRole("heading", { level: 1, name: "Class 9b" })).toBeVisible();
   await expectClean(page);
-  const save = page.getByRole("button", { name: "Save my answers" });
+  const save = page.getByRole("button", { name: "Save as a file" });
   // On paper it leads to itself, and has no buttons.
   await expect(page.getByRole("img", { name: "QR code of the link" })).toBeHidden();
   await page.emulateMedia({ media: "print" });

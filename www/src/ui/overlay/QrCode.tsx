@@ -3,8 +3,15 @@ import { encode } from "uqr";
 import { NIGHT, WHITE } from "#style/colours";
 import css from "./qr-code.module.css";
 
+interface QrCodeProps {
+  address: string;
+  label?: string;
+  /** As wide as there is room, to be read from a distance. */
+  large?: boolean;
+}
+
 /** A link for a telephone that is held before the screen. */
-export function QrCode({ address }: { address: string }) {
+export function QrCode({ address, label = "QR code of the link", large = false }: QrCodeProps) {
   const code = useMemo(() => {
     try {
       return encode(address, { ecc: "L", border: 4 });
@@ -18,7 +25,12 @@ export function QrCode({ address }: { address: string }) {
     .flatMap((row, y) => row.flatMap((dark, x) => (dark ? [`M${x} ${y}h1v1h-1z`] : [])))
     .join("");
   return (
-    <svg class={css["code"]} viewBox={`0 0 ${size} ${size}`} role="img" aria-label="QR code of the link">
+    <svg
+      class={`${css["code"]} ${large ? css["large"] : ""}`}
+      viewBox={`0 0 ${size} ${size}`}
+      role="img"
+      aria-label={label}
+    >
       <rect width={size} height={size} fill={WHITE} />
       <path d={path} fill={NIGHT} shape-rendering="crispEdges" />
     </svg>

@@ -45,10 +45,10 @@ export function read(text: string): Answers | string {
   try {
     value = JSON.parse(text);
   } catch {
-    return "This is no file of answers: it is no JSON. Ask for the file that “Save my answers” makes.";
+    return "This is no file of answers: it is no JSON. Ask for the file that “Save as a file” makes.";
   }
   if (!isRecord(value) || value["kind"] !== KIND) {
-    return "This is no file of answers. Ask for the file that “Save my answers” makes.";
+    return "This is no file of answers. Ask for the file that “Save as a file” makes.";
   }
   if (typeof value["version"] !== "number" || value["version"] > VERSION) {
     return "These answers are of a later version of Frond. Load this page anew, and open them again.";

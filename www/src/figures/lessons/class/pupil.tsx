@@ -1,8 +1,6 @@
 import { useContext, useEffect, useState } from "preact/hooks";
 import { cameFrom } from "#document/kept/sheet";
-import { Button } from "#ui/controls/Button";
 import { Icon } from "#ui/controls/Icon";
-import { download, plainName } from "#ui/files/download";
 import { QrCode } from "#ui/overlay/QrCode";
 import fieldCss from "../../kit/frame/field.module.css";
 import frameCss from "../../kit/frame/frame.module.css";
@@ -15,8 +13,10 @@ import { done } from "../frame/done";
 import { guessOf, rightOf, truthOf } from "../frame/guesses";
 import { printHandouts } from "../frame/handout/paper";
 import marksCss from "../marks.module.css";
-import { type Answer, MOST_WORDS, written } from "./answers";
+import { type Answer, type Answers, MOST_WORDS } from "./answers";
 import css from "./class.module.css";
+import { HandIn } from "./handing/hand-in";
+import { timeOf } from "./handing/pack";
 import { keep, keptOf } from "./kept";
 import { itemsWithNames } from "./names";
 import { sheetIn } from "./sheet";
@@ -56,19 +56,20 @@ function Filled({ sheet, whole, state }: FilledProps) {
   const marks = useValue(done);
   const [mine, setMine] = useState(() => keptOf(state));
   const [isKept, setIsKept] = useState(true);
-  const [saved, setSaved] = useState("");
   const items = itemsWithNames(sheet);
   const change = (part: Partial<typeof mine>) => {
     const next = { ...mine, ...part };
     setMine(next);
-    setSaved("");
     setIsKept(keep(next));
   };
   const isDone = (key: string) => (key.includes(":") ? mine.seen.includes(key) : marks.has(key));
   const solved = (key: string) =>
     [...marks].filter((mark) => mark.startsWith(`${key}.`)).map((mark) => Number(mark.split(".")[1]));
-  const save = () => {
-    const answers = items.map(
+  const collect = (): Answers => ({
+    name: mine.name.trim(),
+    title: sheet.title,
+    saved: timeOf(Date.now()),
+    items: items.map(
       ({ key, name }): Answer => ({
         item: key,
         done: isDone(key),
@@ -79,13 +80,8 @@ function Filled({ sheet, whole, state }: FilledProps) {
         name,
         answer: mine.answers[key] ?? "",
       }),
-    );
-    const now = new Date().toISOString();
-    const text = written({ name: mine.name, title: sheet.title, saved: now, items: answers });
-    const file = `answers-${plainName(mine.name, "no-name")}.json`;
-    download(new Blob([text], { type: "application/json" }), file);
-    setSaved(`Saved as ${file}, where your downloads are. Send this file to your teacher.`);
-  };
+    ),
+  });
   return (
     <>
       <div class={css["paper-code"]}>
@@ -94,7 +90,7 @@ function Filled({ sheet, whole, state }: FilledProps) {
       <h1 tabIndex={-1}>{sheet.title || "Class sheet"}</h1>
       <p class={`${frameCss["figure-lead"]} ${css["screen"]}`}>
         Work through these in any order. What you do, guess and write stays in this browser; nobody sees it
-        until you save it as a file and hand it in.
+        until you hand it in.
       </p>
       {!whole && (
         <p role="status" class={layout["missing"]}>
@@ -103,7 +99,7 @@ function Filled({ sheet, whole, state }: FilledProps) {
       )}
       {!isKept && (
         <p role="status" class={layout["missing"]}>
-          This browser keeps nothing: save your answers before you leave this page.
+          This browser keeps nothing: hand in your answers before you leave this page.
         </p>
       )}
       <label class={fieldCss["field"]}>
@@ -172,13 +168,7 @@ function Filled({ sheet, whole, state }: FilledProps) {
           );
         })}
       </ol>
-      <div class={`${layout["buttons"]} ${css["screen"]}`}>
-        <Button kind="primary" icon="save" disabled={mine.name.trim() === ""} onClick={save}>
-          Save my answers
-        </Button>
-        {mine.name.trim() === "" && <p class={layout["hint"]}>Write your name first.</p>}
-        <p role="status">{saved}</p>
-      </div>
+      <HandIn named={mine.name.trim() !== ""} collect={collect} />
       <p class={`${css["open"]} ${css["screen"]}`}>
         For teachers: <a href={`#learn/class/${state}`}>change this sheet</a>
       </p>
