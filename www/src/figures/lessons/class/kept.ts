@@ -72,3 +72,24 @@ export function keep(kept: Kept): boolean {
     return false;
   }
 }
+
+const SIZE = "frond.class-size";
+
+/** How many pupils there are in the class; null where nobody said. */
+export function classSize(): number | null {
+  try {
+    const size = Number(localStorage.getItem(SIZE));
+    return Number.isInteger(size) && size > 0 && size < 1000 ? size : null;
+  } catch {
+    return null;
+  }
+}
+
+export function keepClassSize(size: number | null): void {
+  try {
+    if (size === null) localStorage.removeItem(SIZE);
+    else localStorage.setItem(SIZE, String(size));
+  } catch {
+    // It lasts as long as the page.
+  }
+}

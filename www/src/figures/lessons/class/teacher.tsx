@@ -31,8 +31,11 @@ import {
 
 /** Where a teacher makes a sheet for a class, and opens what comes back. */
 export function Teacher() {
+  const { state } = useContext(Page);
+  const link = /^answers(?:=|%3D)/i.test(state) ? state : null;
   // Who makes sheets has come back from them.
   useEffect(() => cameFrom(null), []);
+  const handed = <Handed link={link} draft={draftTitle()} />;
   return (
     <div class={css["page"]}>
       <p class={css["screen"]}>
@@ -41,12 +44,21 @@ export function Teacher() {
       <h1 tabIndex={-1}>Class sheet</h1>
       <p class={`${frameCss["figure-lead"]} ${css["screen"]}`}>
         Choose what your class is to do, and send one link. Pupils work in their own browsers, without an
-        account; they save their answers as a file, and you open the files here. Nothing is sent anywhere.
+        account; they hand in by a QR code, a link or a file, and you collect the answers here. Nothing is
+        sent anywhere.
       </p>
+      {/* Who opens the link of a pupil wants to see that. */}
+      {link !== null && handed}
       <Make />
-      <Handed />
+      {link === null && handed}
     </div>
   );
+}
+
+/** The title of the sheet in the making; null where there is none. */
+function draftTitle(): string | null {
+  const sheet = draft();
+  return itemsOf(sheet).length === 0 ? null : sheet.title.trim();
 }
 
 function Make() {
