@@ -118,7 +118,7 @@ const SHARED: Record<string, string> = {
   "tools/morph/locus/": "field",
   "tools/morph/strip/": "strip",
   // What becomes of all of these on paper, and on slides.
-  "figures/lessons/frame/": "slides",
+  "figures/lessons/frame/slides/": "slides",
   "figures/lessons/frame/handout/": "handout",
 };
 

@@ -13,7 +13,7 @@ import { Room, Whose } from "./handout/room";
 import css from "./lesson.module.css";
 import { LessonId, OnPaper } from "./lesson-id";
 import type { Prediction } from "./prediction";
-import { Slides, SlidesButton } from "./slides";
+import { Slides, SlidesButton } from "./slides/slides";
 import { ForTeachers, type Teaching } from "./teaching";
 
 interface LessonProps extends Heading {

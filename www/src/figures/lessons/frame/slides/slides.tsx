@@ -4,10 +4,10 @@ import { useContext, useEffect, useLayoutEffect, useRef, useState } from "preact
 import { Button, IconButton } from "#ui/controls/Button";
 import { listenForEscape } from "#ui/escape";
 import { focusOf } from "#ui/focus";
-import { whole } from "../../kit/state/fields";
-import { Page, useNoted } from "../../kit/state/kept";
-import { stepsIn, toTop } from "../../kit/state/steps";
-import { useValue } from "../../kit/workers";
+import { whole } from "../../../kit/state/fields";
+import { Page, useNoted } from "../../../kit/state/kept";
+import { stepsIn, toTop } from "../../../kit/state/steps";
+import { useValue } from "../../../kit/workers";
 import { useBelow, useFit } from "./slide-fit";
 import css from "./slides.module.css";
 
