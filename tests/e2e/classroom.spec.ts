@@ -10,22 +10,23 @@ test("a lesson is shown step by step by keys, with a dot for the mouse, and left
   await openFigure(page, "e6");
   await page.getByRole("button", { name: "Show as slides" }).click();
   const bar = page.getByRole("toolbar", { name: "Slides" });
-  await expect(bar).toContainText("1 of 5");
+  // Its words and its picture are one slide.
+  await expect(bar).toContainText("1 of 4");
   await expect(page.getByRole("banner")).toBeHidden();
-  await expect(page.getByRole("region", { name: "The picture" })).toBeHidden();
-  await page.keyboard.press("ArrowRight");
+  await expect(page.getByRole("heading", { name: "Half-way round" })).toBeVisible();
   await expect(page.getByRole("region", { name: "The picture" })).toBeVisible();
-  await expect(page.getByTestId("badge")).toBeHidden();
+  await expect(page.getByRole("button", { name: "Show me" })).toBeHidden();
   await page.keyboard.press("PageDown");
-  await expect(bar).toContainText("3 of 5 What do you think?");
+  await expect(page.getByTestId("badge")).toBeHidden();
+  await expect(bar).toContainText("2 of 4 What do you think?");
   await expectClean(page);
   // A slider keeps its arrows; the Page keys go on all the same.
   await page.keyboard.press("PageDown");
   const slider = page.getByRole("slider", { name: "Turn at the beginning" });
   await slider.press("ArrowRight");
-  await expect(bar).toContainText("4 of 5");
+  await expect(bar).toContainText("3 of 4");
   await slider.press("PageUp");
-  await expect(bar).toContainText("3 of 5");
+  await expect(bar).toContainText("2 of 4");
   const pointer = bar.getByRole("button", { name: "Pointer" });
   await page.keyboard.press("l");
   await expect(pointer).toHaveAttribute("aria-pressed", "true");
@@ -39,9 +40,9 @@ test("a link leads to a slide, and says so where it was copied", async ({ page }
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.goto("./#learn/e6/slide=3");
   const bar = page.getByRole("toolbar", { name: "Slides" });
-  await expect(bar).toContainText("3 of 5 What do you think?");
-  await page.keyboard.press("PageUp");
-  await expect(bar).toContainText("2 of 5");
+  await expect(bar).toContainText("2 of 4 What do you think?");
+  await page.keyboard.press("PageDown");
+  await expect(bar).toContainText("3 of 4");
   // On paper it is the whole lesson all the same.
   await page.emulateMedia({ media: "print" });
   await expect(bar).toBeHidden();
@@ -49,7 +50,7 @@ test("a link leads to a slide, and says so where it was copied", async ({ page }
   await page.emulateMedia({ media: null });
   await bar.getByRole("button", { name: "Link" }).click();
   await expect(bar).toContainText("Link copied");
-  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/#learn\/e6\/slide=2$/);
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/#learn\/e6\/slide=4$/);
   await page.keyboard.press("Escape");
   await expect(bar).toHaveCount(0);
 });
@@ -60,7 +61,7 @@ test("a slide is as large as it fits the window, and says when it goes on below"
   const hidden = () => main.evaluate((box) => box.scrollHeight - box.clientHeight);
   const more = page.getByRole("button", { name: "More below" });
   await page.goto("./#learn/e21/slide=4");
-  await expect(page.getByRole("toolbar", { name: "Slides" })).toContainText("4 of 5 Exercise 1");
+  await expect(page.getByRole("toolbar", { name: "Slides" })).toContainText("3 of 4 Exercise 1");
   await expect.poll(hidden).toBe(0);
   await expect(more).toHaveCount(0);
   await page.goto("./#learn/e12/guess=all&shown=1&slide=3");
@@ -69,6 +70,62 @@ test("a slide is as large as it fits the window, and says when it goes on below"
   await more.click();
   await expect.poll(() => main.evaluate((box) => box.scrollTop)).toBeGreaterThan(100);
   await expect(more).toHaveCount(0);
+});
+
+test("slides begin unanswered, whatever was tried on the page, which is as it was afterwards", async ({
+  page,
+}) => {
+  await openFigure(page, "e1");
+  const guess = page.getByRole("slider", { name: "Scale of piece 1" });
+  const truth = page.getByTestId("truth");
+  await guess.press("ArrowLeft");
+  await page.getByRole("button", { name: "Show me" }).click();
+  await expect(truth).toContainText("You said 0.499");
+  const marks = () => page.evaluate(() => `${localStorage["frond.guesses"]} ${localStorage["frond.done"]}`);
+  const before = await marks();
+  await page.getByRole("button", { name: "Show as slides" }).click();
+  await page.keyboard.press("PageDown");
+  await expect(page.getByRole("button", { name: "Show me" })).toBeDisabled();
+  await expect(truth).toHaveCount(0);
+  // What the class says is the class's, and gone with the slides.
+  await guess.press("ArrowLeft");
+  await guess.press("ArrowLeft");
+  await page.getByRole("button", { name: "Show me" }).click();
+  await expect(truth).toContainText("You said 0.498");
+  await page.keyboard.press("Escape");
+  await expect(truth).toContainText("You said 0.499");
+  expect(await marks()).toBe(before);
+});
+
+test("slides have a black screen, a timer and a list of their keys", async ({ page }) => {
+  await page.goto("./#learn/e6/slide=3");
+  const bar = page.getByRole("toolbar", { name: "Slides" });
+  await expect(bar).toContainText("2 of 4");
+  const blank = page.getByRole("button", { name: "The screen is blank" });
+  for (const key of ["b", "."]) {
+    await page.keyboard.press(key);
+    await expect(blank).toBeFocused();
+    await page.keyboard.press(key);
+    await expect(blank).toHaveCount(0);
+  }
+  await page.keyboard.press("b");
+  await page.keyboard.press("Escape");
+  await expect(blank).toHaveCount(0);
+  await expect(bar).toBeVisible();
+  await page.keyboard.press("t");
+  const timer = page.getByRole("region", { name: "Timer" });
+  await timer.getByLabel("Minutes").fill("7");
+  await expect(timer.getByRole("status", { name: "Time left" })).toHaveText("7:00");
+  await timer.getByRole("button", { name: "Start" }).click();
+  await page.keyboard.press("t");
+  await expect(timer.getByRole("button", { name: "Start" })).toBeVisible();
+  await expectClean(page);
+  await page.keyboard.press("?");
+  await expect(page.getByRole("dialog", { name: "Keys of the slides" })).toBeVisible();
+  await expectClean(page);
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+  await expect(bar).toContainText("2 of 4");
 });
 
 test("a handout asks and does not tell, and has its answers on a page of their own", async ({ page }) => {

@@ -1,16 +1,18 @@
 import type { ComponentChildren } from "preact";
-import { useContext, useEffect, useState } from "preact/hooks";
+import { useContext, useEffect } from "preact/hooks";
 import { Button } from "#ui/controls/Button";
 import { Icon } from "#ui/controls/Icon";
 import { useOwnId } from "#ui/id";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
 import { CopyLink } from "../../kit/state/copy-link";
+import { useAfresh } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
 import { done, markDone } from "./done";
 import css from "./exercise.module.css";
 import { Room, Squares } from "./handout/room";
 import { LessonId, OnPaper } from "./lesson-id";
+import { slide } from "./slides/on-slides";
 
 interface ExerciseProps {
   /** Its place among the exercises of the lesson, from 1. */
@@ -35,12 +37,14 @@ export function Exercise({ number, ask, hints, solved, status, children }: Exerc
   const written = useContext(OnPaper)[number - 1] ?? "same";
   const drawn = written !== "same" && written.space === "squares";
   const name = `${lesson}.${number}`;
-  const [told, setTold] = useState(0);
+  const [told, setTold] = useAfresh("hints", 0, 0);
   const heading = useOwnId("exercise");
-  const was = useValue(done).has(name);
+  // On slides it is a class that solves it, and not who has solved it in this browser.
+  const own = useValue(slide) === null;
+  const was = useValue(done).has(name) && own;
   useEffect(() => {
-    if (solved) markDone(name);
-  }, [solved, name]);
+    if (solved && own) markDone(name);
+  }, [solved, own, name]);
   return (
     <section
       class={frameCss["figure-live"]}

@@ -6,6 +6,7 @@ import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
 import { CopyLink } from "../../kit/state/copy-link";
+import { useValue } from "../../kit/workers";
 import { markDone } from "./done";
 import { guessWords, keepGuess, keepTruth, truthWords } from "./guesses";
 import { printHandout, printHandouts } from "./handout/paper";
@@ -13,6 +14,7 @@ import { Room, Whose } from "./handout/room";
 import css from "./lesson.module.css";
 import { LessonId, OnPaper } from "./lesson-id";
 import type { Prediction } from "./prediction";
+import { slide } from "./slides/on-slides";
 import { Slides, SlidesButton } from "./slides/slides";
 import { ForTeachers, type Teaching } from "./teaching";
 
@@ -128,13 +130,15 @@ export function Question(props: QuestionProps) {
   const { guess, said, shown, show, again } = prediction;
   const lesson = useContext(LessonId);
   const question = useRef<HTMLElement>(null);
+  // On slides it is a class that guesses, and not who has done lessons in this browser.
+  const own = useValue(slide) === null;
   const look = () => {
-    keepGuess(lesson, guessWords(question.current, guess));
+    if (own) keepGuess(lesson, guessWords(question.current, guess));
     show();
-    markDone(lesson);
+    if (own) markDone(lesson);
   };
   useEffect(() => {
-    if (!shown || truth === null) return;
+    if (!own || !shown || truth === null) return;
     const words = guessWords(question.current, guess);
     const so = truthWords(question.current, truth);
     const right =
@@ -142,7 +146,7 @@ export function Question(props: QuestionProps) {
         ? Math.abs(guess - truth) <= within + 1e-9
         : words === so;
     keepTruth(lesson, words, right, so);
-  }, [lesson, shown, guess, truth, within]);
+  }, [own, lesson, shown, guess, truth, within]);
   return (
     <section
       ref={question}

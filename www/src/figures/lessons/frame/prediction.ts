@@ -20,10 +20,11 @@ export interface Prediction<T> {
 
 /** `kept` says how a guess stands in the address of the lesson. */
 export function usePrediction<T>(first: T | null, kept: Field<T>): Prediction<T> {
-  const [opened, noteGuess] = useKept<T | null>("guess", null, orNone(kept));
+  const [made, make] = useKept<T | null>("guess", null, orNone(kept));
   const [shown, setShown] = useKept("shown", false, flag);
-  const [guess, setGuess] = useState(opened ?? first);
-  const [said, setSaid] = useState(opened !== null);
+  const [begun] = useState(first);
+  const guess = made ?? begun;
+  const said = made !== null;
   const covered = useValue(paper);
   const drawn = useValue(inTime);
   return {
@@ -34,9 +35,7 @@ export function usePrediction<T>(first: T | null, kept: Field<T>): Prediction<T>
     shown: shown && said && !covered,
     say(next) {
       if (shown && said) return;
-      setGuess(() => next);
-      noteGuess(() => next);
-      setSaid(true);
+      make(() => next);
     },
     show: () => setShown(true),
     again: () => setShown(false),

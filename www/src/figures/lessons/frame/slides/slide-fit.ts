@@ -2,8 +2,24 @@
 import type { RefObject } from "preact";
 import { useEffect, useLayoutEffect, useState } from "preact/hooks";
 
-/** How small a slide becomes to fit, as a part of its size: the last row must still read it. */
-const SIZES = [1, 0.92, 0.84, 0.76, 0.7] as const;
+/**
+ * How small a slide becomes to fit, its words as a part of their size, its pictures as a part of the width: pictures
+ * give way first, since the last row must still read the words.
+ */
+const SIZES = [
+  [1, 1],
+  [1, 0.92],
+  [1, 0.84],
+  [0.92, 0.84],
+  [0.92, 0.76],
+  [0.84, 0.76],
+  [0.84, 0.68],
+  [0.76, 0.64],
+  [0.7, 0.6],
+  [0.7, 0.5],
+] as const;
+/** What fits at no size is scrolled, and as large as it is read well. */
+const SCROLLED = [0.92, 0.84] as const;
 /** Less than this is no more to be seen, in pixels. */
 const LITTLE = 12;
 
@@ -19,13 +35,19 @@ export function useFit(bar: RefObject<Element | null>, at: number, count: number
   useLayoutEffect(() => {
     const root = document.documentElement;
     let tried = 0;
+    const set = ([words, pictures]: readonly [number, number]) => {
+      root.style.setProperty("--slide-size", String(words));
+      root.style.setProperty("--slide-picture", String(pictures));
+    };
     const shrink = () => {
       const main = scroller(bar.current);
       if (!main) return;
+      if (tried >= SIZES.length) return;
       for (; tried < SIZES.length; tried++) {
-        root.style.setProperty("--slide-size", String(SIZES[tried]));
+        set(SIZES[tried] ?? SCROLLED);
         if (hidden(main) <= 0) return;
       }
+      set(SCROLLED);
     };
     const adjust = () => {
       tried = 0;
@@ -43,6 +65,7 @@ export function useFit(bar: RefObject<Element | null>, at: number, count: number
       grown.disconnect();
       removeEventListener("resize", adjust);
       root.style.removeProperty("--slide-size");
+      root.style.removeProperty("--slide-picture");
     };
   }, [bar, at, count]);
 }

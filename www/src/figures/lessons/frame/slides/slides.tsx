@@ -1,20 +1,18 @@
 import "./slides.css";
-import { signal } from "@preact/signals";
 import { useContext, useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { Button, IconButton } from "#ui/controls/Button";
 import { listenForEscape } from "#ui/escape";
-import { focusOf } from "#ui/focus";
+import { focusOf, latinKey } from "#ui/focus";
 import { whole } from "../../../kit/state/fields";
-import { Page, useNoted } from "../../../kit/state/kept";
+import { afresh, Page, useNoted } from "../../../kit/state/kept";
 import { stepsIn, toTop } from "../../../kit/state/steps";
 import { useValue } from "../../../kit/workers";
+import { ANSWERS, slide, slideOfStep, slidesOf, stepOfSlide } from "./on-slides";
+import { Blank, SlideKeys, SlideTimer, useTimer } from "./slide-extras";
 import { useBelow, useFit } from "./slide-fit";
 import css from "./slides.module.css";
 
-/** The slide that is shown, from 0; null while the lesson is a page. */
-const slide = signal<number | null>(null);
-
-/** How an address says which slide it opens, from 1. */
+/** How an address says which step it opens, from 1. */
 const SLIDE = whole(1, 99);
 
 /** Where the system does not give the whole screen, the window is filled. */
@@ -27,8 +25,9 @@ export function SlidesButton() {
       icon="slides"
       kind="quiet"
       label="Show as slides"
-      description="step by step, as large as the screen"
+      description="step by step, as large as the screen; nothing is answered there yet"
       onClick={() => {
+        afresh.value = { of: ANSWERS };
         slide.value = 0;
         void fillScreen();
       }}
@@ -42,17 +41,19 @@ export function Slides() {
   const at = useValue(slide);
   useEffect(() => {
     const opened = page.opened("slide", SLIDE);
-    if (opened !== null) slide.value = opened - 1;
+    if (opened !== null) slide.value = slideOfStep(opened);
     return () => {
       slide.value = null;
+      afresh.value = null;
     };
   }, [page]);
-  useNoted("slide", at === null ? null : SLIDE.write(at + 1));
+  useNoted("slide", at === null ? null : SLIDE.write(stepOfSlide(at)));
   return at === null ? null : <Shown at={at} />;
 }
 
 const leave = () => {
   slide.value = null;
+  afresh.value = null;
   if (document.fullscreenElement) document.exitFullscreen().catch(() => undefined);
 };
 
@@ -60,6 +61,9 @@ function Shown({ at: asked }: { at: number }) {
   const [names, setNames] = useState<readonly string[]>([]);
   const [dot, setDot] = useState(false);
   const [full, setFull] = useState(document.fullscreenElement !== null);
+  const [blank, setBlank] = useState(false);
+  const [help, setHelp] = useState(false);
+  const timer = useTimer();
   const bar = useRef<HTMLDivElement>(null);
   const last = names.length - 1;
   // A link may say more slides than there are.
@@ -77,20 +81,23 @@ function Shown({ at: asked }: { at: number }) {
     const before = document.activeElement;
     return () => {
       delete document.documentElement.dataset["slides"];
-      const here = steps().find(({ dataset }) => dataset["now"] !== undefined);
-      for (const step of steps()) delete step.dataset["now"];
+      const all = slides().flat();
+      const here = all.find(({ dataset }) => dataset["now"] !== undefined);
+      for (const step of all) delete step.dataset["now"];
       if (here) toTop(here);
       if (before instanceof HTMLElement) before.focus({ preventScroll: true });
     };
   }, []);
   useLayoutEffect(() => {
-    const all = steps();
+    const all = slides();
     setNames(all.map(nameOf));
-    for (const [i, step] of all.entries()) {
-      if (i === at) step.dataset["now"] = "";
-      else delete step.dataset["now"];
+    for (const [i, steps] of all.entries()) {
+      for (const step of steps) {
+        if (i === at) step.dataset["now"] = "";
+        else delete step.dataset["now"];
+      }
     }
-    const here = all[at];
+    const here = all[at]?.[0];
     if (!here) return;
     here.tabIndex = -1;
     here.focus({ preventScroll: true });
@@ -100,12 +107,13 @@ function Shown({ at: asked }: { at: number }) {
   useFit(bar, at, names.length);
   const [isMore, onward] = useBelow(bar, at);
 
-  useEffect(() => listenForEscape(leave), []);
+  // In time for a key that follows at once.
+  useLayoutEffect(() => listenForEscape(() => (blank ? setBlank(false) : leave())), [blank]);
   useEffect(() => {
     // The system takes Escape there, and says so.
     const onChange = () => {
       setFull(document.fullscreenElement !== null);
-      if (document.fullscreenElement === null) leave();
+      if (document.fullscreenElement === null && !document.querySelector("dialog[open]")) leave();
     };
     document.addEventListener("fullscreenchange", onChange);
     return () => document.removeEventListener("fullscreenchange", onChange);
@@ -113,23 +121,30 @@ function Shown({ at: asked }: { at: number }) {
   useEffect(() => {
     const onKey = (event: KeyboardEvent) => {
       if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (document.querySelector("dialog[open]")) return;
       const act = actOf(event);
       if (act === null) return;
       event.preventDefault();
       event.stopPropagation();
       if (act === "dot") setDot((now) => !now);
-      else slide.value = goal(at, act);
+      else if (act === "blank") setBlank((now) => !now);
+      else if (act === "timer") timer.toggle();
+      else if (act === "help") setHelp(true);
+      else {
+        setBlank(false);
+        slide.value = goal(at, act);
+      }
     };
     // Before sliders, which have the Page keys, too.
     document.addEventListener("keydown", onKey, true);
     return () => document.removeEventListener("keydown", onKey, true);
-  }, [at]);
+  }, [at, timer.toggle]);
 
   return (
     <div data-slides-bar="" ref={bar}>
       <div class={css["slides-bar"]} role="toolbar" aria-label="Slides">
         <Button icon="back" disabled={at === 0} onClick={() => go(-1)}>
-          Back
+          <span class={css["word"]}>Back</span>
         </Button>
         {/* That of the page is on its first slide. */}
         {at > 0 && <h1 class="unseen">{names[0]}</h1>}
@@ -146,6 +161,21 @@ function Shown({ at: asked }: { at: number }) {
         >
           Pointer
         </Button>
+        <SlideTimer timer={timer} />
+        <Button
+          class={css["blank-button"]}
+          description="A black screen, until a key is pressed (B or .)"
+          onClick={() => setBlank(true)}
+        >
+          Blank
+        </Button>
+        <IconButton
+          class={css["keys-button"]}
+          icon="keyboard"
+          label="Keys of the slides"
+          popup="dialog"
+          onClick={() => setHelp(true)}
+        />
         <Button description="Back to the page (Esc)" onClick={leave}>
           Leave
         </Button>
@@ -154,6 +184,8 @@ function Shown({ at: asked }: { at: number }) {
         </Button>
       </div>
       {dot && <Dot />}
+      {help && <SlideKeys onClose={() => setHelp(false)} />}
+      {blank && <Blank onEnd={() => setBlank(false)} />}
     </div>
   );
 }
@@ -187,7 +219,7 @@ function Where({ at, names, full }: { at: number; names: readonly string[]; full
           description="Copy a link that opens this slide as it is now"
           onClick={() => void copy()}
         >
-          <span class={css["word"]}>Link</span>
+          <span class={css["icon-word"]}>Link</span>
         </Button>
       )}
       {!full && document.fullscreenEnabled && (
@@ -197,24 +229,31 @@ function Where({ at, names, full }: { at: number; names: readonly string[]; full
           description="As large as the screen"
           onClick={() => void fillScreen()}
         >
-          <span class={css["word"]}>Fill</span>
+          <span class={css["icon-word"]}>Fill</span>
         </Button>
       )}
     </>
   );
 }
 
-/** What a press asks for: so many slides on, or the dot. */
-function actOf({ key, target }: KeyboardEvent): number | "dot" | null {
+/** What a press asks for: so many slides on, or what lies over them. */
+function actOf(event: KeyboardEvent): number | "dot" | "blank" | "timer" | "help" | null {
+  const { target } = event;
   const focus = focusOf(target);
+  const key = latinKey(event);
   if (key === "PageDown") return 1;
   if (key === "PageUp") return -1;
-  if (focus === "typing") return null;
+  if (focus === "typing" || focus === "field") return null;
   if (key === "l" || key === "L") return "dot";
+  if (key === "b" || key === "B" || key === ".") return "blank";
+  if (key === "t" || key === "T") return "timer";
+  if (key === "?") return "help";
   // What lives by the arrow keys keeps them.
   const taken =
     focus === "slider" || isMoved(target) || (target instanceof Element && target.matches("input"));
   if (taken) return null;
+  if (key === "Home") return -Infinity;
+  if (key === "End") return Infinity;
   return key === "ArrowRight" ? 1 : key === "ArrowLeft" ? -1 : null;
 }
 
@@ -239,15 +278,16 @@ function Dot() {
   );
 }
 
-function steps(): HTMLElement[] {
+function slides(): HTMLElement[][] {
   const article = document.querySelector("article");
-  return article ? stepsIn(article) : [];
+  return article ? slidesOf(stepsIn(article)) : [];
 }
 
 /** So many slides on, within the lesson as it stands: keys may be pressed before its slides are counted. */
-const goal = (at: number, by: number) => Math.max(0, Math.min(steps().length - 1, at + by));
+const goal = (at: number, by: number) => Math.max(0, Math.min(slides().length - 1, at + by));
 
-/** What a step is called: its own name, or that of its heading. */
-function nameOf(step: HTMLElement): string {
+/** What a slide is called by its first step: its own name, or that of its heading. */
+function nameOf([step]: HTMLElement[]): string {
+  if (!step) return "";
   return step.getAttribute("aria-label") ?? step.querySelector("h1, h2, h3")?.textContent?.trim() ?? "";
 }
