@@ -221,7 +221,8 @@ test("a sheet goes to a class, and its answers come back as a table", async ({ p
   await page.getByRole("checkbox", { name: "done" }).first().check();
   // What was written is there after a visit elsewhere.
   await page.getByRole("link", { name: /Two pieces that touch/ }).click();
-  await page.getByRole("link", { name: "Back to the class sheet" }).click();
+  // At its top and at its end.
+  await page.getByRole("link", { name: "Back to the class sheet" }).last().click();
   await expect(page.getByLabel("Your name")).toHaveValue("Ana");
   await page.getByRole("link", { name: "Gasket" }).click();
   await page.getByRole("complementary").getByRole("link", { name: "Back to the class sheet" }).click();

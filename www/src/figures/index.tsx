@@ -246,8 +246,14 @@ function Related({ figure }: { figure: Figure }) {
 /** One back and one on, by name. */
 function NextNav(found: Found) {
   const { before, next } = neighbours(found);
+  const sheet = sheetBehind();
   return (
     <nav class={figuresCss["figure-next"]} aria-label="Before and after">
+      {sheet && (
+        <a class={figuresCss["figure-sheet"]} href={sheet}>
+          Back to the class sheet
+        </a>
+      )}
       <Step figure={before} rel="prev" />
       <Step figure={next} rel="next" />
     </nav>
