@@ -20,6 +20,7 @@ import {
   reportOf,
 } from "./arrive";
 import { bring, otherCode } from "./bring";
+import { Guesses } from "./guesses";
 import { type Heard, Scan } from "./scan";
 import { spreadsheet } from "./spreadsheet";
 import { calledOn, Table } from "./table";
@@ -118,6 +119,7 @@ export function Handed({ link, draft }: HandedProps) {
               Clear the table
             </Button>
           </div>
+          <Guesses all={shown} />
           <Table all={shown} />
           <p class={`${layout["hint"]} ${css["screen"]}`}>
             This browser keeps the table until you clear it. Nobody else sees it, and it goes nowhere.
