@@ -157,4 +157,51 @@ test.describe(() => {
     await expect(page.getByRole("alert")).toContainText("Allow it beside the address of the page");
     await expect(page.getByRole("button", { name: "Try again" })).toBeVisible();
   });
+
+  test("a sheet has the teacher's order and hides what is right, until its other link shows it", async ({
+    page,
+  }) => {
+    await page.goto("./#learn/class");
+    await page.getByRole("checkbox", { name: "Start from anything" }).check();
+    await page.getByRole("checkbox", { name: "Two pieces that touch" }).check();
+    await page.getByRole("button", { name: /Move up: .*Two pieces/ }).press("Enter");
+    await expect(page.getByText(/Two pieces that touch is number 1 of 2\./)).toBeAttached();
+    await expect(page.getByRole("button", { name: /Move up: .*Two pieces/ })).toBeFocused();
+    await page.getByRole("checkbox", { name: "Lessons do not say yet" }).check();
+    await expectClean(page);
+    const link = await page.getByLabel(/^The link of this sheet/).inputValue();
+    await page.goto("about:blank");
+    await page.goto(link);
+    await expect(page.getByRole("listitem").first()).toContainText("Two pieces that touch");
+    await page.getByLabel("Your name").fill("Eve");
+    await page.getByRole("link", { name: /Two pieces that touch/ }).click();
+    await page.getByRole("slider", { name: "Scale of piece 1" }).press("ArrowLeft");
+    await page.getByRole("button", { name: "Keep my guess" }).click();
+    await expect(page.getByText("Your guess is kept: 0.499.")).toBeVisible();
+    await expect(page.getByTestId("truth")).toHaveCount(0);
+    await page.getByText("For teachers", { exact: true }).click();
+    await expect(page.getByRole("button", { name: "Show the answers" })).toHaveCount(0);
+    const after = page.getByRole("navigation", { name: "Before and after" });
+    await after.getByRole("link", { name: "Back to the class sheet" }).click();
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: "Save as a file" }).click(),
+    ]);
+    // What was written is there under the link that shows answers, and the lesson shows them.
+    await page.goto("about:blank");
+    await page.goto(link.replace("&hide=1", ""));
+    await expect(page.getByLabel("Your name")).toHaveValue("Eve");
+    await page.getByRole("link", { name: /Two pieces that touch/ }).click();
+    await expect(page.getByRole("button", { name: "Show me" })).toBeVisible();
+    // The teacher sees all the same whether it was right, and how the class guessed.
+    await page.goto("about:blank");
+    await page.goto("./#learn/class");
+    await page.getByLabel("Files of answers").setInputFiles(await download.path());
+    await expect(page.getByRole("row", { name: /^Eve/ })).toContainText("it is: 0.4");
+    await page.getByText("How the class guessed").click();
+    const counts = page.getByRole("table", { name: /Two pieces that touch: 1 of 1 guessed, 0 right/ });
+    await expect(counts.getByRole("row", { name: /^0\.499 1$/ })).toBeVisible();
+    await expect(counts.getByRole("row", { name: /^0\.4 right 0$/ })).toBeVisible();
+    await expectClean(page);
+  });
 });

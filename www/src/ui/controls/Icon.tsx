@@ -23,6 +23,7 @@ const STROKES = {
   grid: "M4.5 4.5h6v6h-6zM13.5 4.5h6v6h-6zM4.5 13.5h6v6h-6zM13.5 13.5h6v6h-6z",
   keyboard: "M3.5 6.5h17v11h-17zM7 10h.01M10.3 10h.01M13.7 10h.01M17 10h.01M8 14h8",
   down: "M6 9.5l6 6 6-6",
+  up: "M6 14.5l6-6 6 6",
   enlarge: "M13.5 4.5h6v6M19.5 4.5l-6 6M10.5 19.5h-6v-6M4.5 19.5l6-6",
   whole: "M4.5 9V4.5H9M15 4.5h4.5V9M4.5 15v4.5H9M15 19.5h4.5V15",
   save: "M12 4v11M7.5 11l4.5 4.5L16.5 11M5 19.5h14",

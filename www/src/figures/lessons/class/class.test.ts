@@ -6,6 +6,7 @@ import {
   fits,
   itemsOf,
   linksIn,
+  moved,
   type Numbered,
   numbered,
   type Sheet,
@@ -14,6 +15,7 @@ import {
   sheetKept,
   sheetOfKept,
   sheetOfLink,
+  withoutHiding,
 } from "./sheet";
 
 const SHEET: Sheet = {
@@ -24,6 +26,8 @@ const SHEET: Sheet = {
   numbers: [1, 2],
   names: { "link:2": "From gasket to Koch" },
   tasks: { e7: "When do they part? <b>&", "shape:gasket": "Drei Äpfel" },
+  order: [],
+  hide: false,
 };
 
 describe("a sheet", () => {
@@ -90,6 +94,56 @@ describe("a sheet", () => {
     ).toEqual({ links: ["learn/e1/at=question", "v=1&a=gasket"], wrong: ["hello", "http://x/"] });
     expect(linksIn(`http://x/#v=1&a=${"1".repeat(2000)}`).wrong.length).toBe(1);
     expect(linksIn("http://x/#v=1 ".repeat(20)).links.length).toBe(8);
+  });
+});
+
+describe("the order of a sheet", () => {
+  const MIXED = { ...SHEET, order: ["shape:gasket", "link:2", "e12", "e7", "link:1"], hide: true };
+
+  it("is in its address, and what it hides", () => {
+    expect(sheetIn(sheetAddress(MIXED))).toEqual({ sheet: MIXED, whole: true });
+    expect(itemsOf(MIXED)).toEqual(MIXED.order);
+    expect(
+      itemsWithNames({ ...MIXED, shapes: [], order: ["link:2", "e12", "e7", "link:1"] }).map(
+        ({ href }) => href,
+      ),
+    ).toEqual([
+      "#v=1&a=koch",
+      "#learn/e12/hide=1",
+      "#learn/e7/hide=1",
+      "#learn/e7/at=question&guess=0.3&hide=1",
+    ]);
+  });
+
+  it("is changed an item at a time, and keeps to its ends", () => {
+    const up = moved(SHEET, "shape:gasket", -1);
+    expect(itemsOf(up)).toEqual(["e12", "shape:gasket", "e7", "link:1", "link:2"]);
+    expect(itemsOf(moved(up, "e12", -1))).toEqual(itemsOf(up));
+    expect(itemsOf(moved(up, "e12", 9)).at(-1)).toBe("e12");
+    expect(sheetAddress(moved(up, "shape:gasket", 1))).toBe(sheetAddress(SHEET));
+  });
+
+  it("has what is added since at its end, and nothing that was taken off", () => {
+    expect(itemsOf({ ...MIXED, lessons: ["e7", "e1"], shapes: [] })).toEqual([
+      "link:2",
+      "e7",
+      "link:1",
+      "e1",
+    ]);
+  });
+
+  it("that is damaged is the usual one, which is said", () => {
+    for (const order of ["1", "1,1", "2,9", "x"]) {
+      expect(sheetIn(`lessons=e1,e2&order=${order}`), order).toMatchObject({
+        sheet: { order: [] },
+        whole: false,
+      });
+    }
+  });
+
+  it("is another link for the same work where answers are shown", () => {
+    expect(withoutHiding(sheetAddress(MIXED))).toBe(sheetAddress({ ...MIXED, hide: false }));
+    expect(withoutHiding(sheetAddress(SHEET))).toBe(sheetAddress(SHEET));
   });
 });
 

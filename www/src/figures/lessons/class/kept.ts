@@ -1,5 +1,5 @@
 /** What pupils have written on sheets, and the sheet in the making; kept in this browser alone, the latest only. */
-import { type Sheet, sheetKept, sheetOfKept } from "./sheet";
+import { type Sheet, sheetKept, sheetOfKept, withoutHiding } from "./sheet";
 
 /** What is kept of a sheet. */
 export interface Kept {
@@ -57,8 +57,9 @@ function all(): Kept[] {
   }
 }
 
-/** What is kept of a sheet, by its address. */
-export function keptOf(sheet: string): Kept {
+/** What is kept of a sheet, by its address; it is the same whether answers are hidden or not. */
+export function keptOf(state: string): Kept {
+  const sheet = withoutHiding(state);
   return all().find((one) => one.sheet === sheet) ?? { sheet, name: "", answers: {}, seen: [] };
 }
 

@@ -2,7 +2,7 @@
 import { presets } from "#document/presets";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { LESSONS } from "../course";
-import { linkItem, type Sheet } from "./sheet";
+import { itemsOf, linkItem, type Sheet } from "./sheet";
 
 export interface Item {
   /** As `itemsOf` has it. */
@@ -42,16 +42,18 @@ export function plainLinkName(link: string, number: number): string {
   return name === null ? `Link ${number}` : `${name}, as it was set`;
 }
 
-export function itemsWithNames({ lessons, shapes, links, numbers, names, tasks }: Sheet): Item[] {
+export function itemsWithNames(sheet: Sheet): Item[] {
+  const { lessons, shapes, links, numbers, names, tasks, hide } = sheet;
+  const places = itemsOf(sheet);
   const taskOf = (key: string) => tasks[key] ?? "";
   const unknown = "not in this version of Frond";
-  return [
+  const all: Item[] = [
     ...lessons.map((id) => {
       const name = lessonName(id);
       return {
         key: id,
         name: name ?? `${id}, ${unknown}`,
-        href: name === null ? null : `#learn/${id}`,
+        href: name === null ? null : hiding(`#learn/${id}`, hide),
         task: taskOf(id),
       };
     }),
@@ -67,7 +69,14 @@ export function itemsWithNames({ lessons, shapes, links, numbers, names, tasks }
       const number = numbers[i] ?? i + 1;
       const key = linkItem(number);
       const name = names[key]?.trim() || plainLinkName(link, number);
-      return { key, name, href: `#${link}`, task: taskOf(key) };
+      return { key, name, href: hiding(`#${link}`, hide), task: taskOf(key) };
     }),
   ];
+  return all.sort((p, q) => places.indexOf(p.key) - places.indexOf(q.key));
+}
+
+/** A lesson that is opened from a sheet which hides answers does not show its own. */
+function hiding(href: string, hide: boolean): string {
+  if (!hide || !/^#learn\/e\d+/.test(href)) return href;
+  return /^#learn\/e\d+\/./.test(href) ? `${href}&hide=1` : `${href.replace(/\/$/, "")}/hide=1`;
 }

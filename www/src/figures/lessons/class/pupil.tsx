@@ -91,6 +91,7 @@ function Filled({ sheet, whole, state }: FilledProps) {
       <p class={`${frameCss["figure-lead"]} ${css["screen"]}`}>
         Work through these in any order. What you do, guess and write stays in this browser; nobody sees it
         until you hand it in.
+        {sheet.hide && " Lessons keep your guess and say later what is right: when your teacher says so."}
       </p>
       {!whole && (
         <p role="status" class={layout["missing"]}>

@@ -1,5 +1,5 @@
 /** A class sheet: lessons, shapes and links that a teacher has chosen. All of it stands in its address. */
-import { type Field, list, text } from "../../kit/state/fields";
+import { type Field, flag, list, text, whole } from "../../kit/state/fields";
 import { addressOf, valuesIn } from "../../kit/state/page-state";
 
 export interface Sheet {
@@ -16,6 +16,10 @@ export interface Sheet {
   names: Readonly<Record<string, string>>;
   /** What is to be done, in the teacher's own words, by the names that `itemsOf` gives. */
   tasks: Readonly<Record<string, string>>;
+  /** The names of its items in the order of the teacher's; empty where they are in their usual one. */
+  order: readonly string[];
+  /** Whether pupils do not see yet what is right. */
+  hide: boolean;
 }
 
 export const EMPTY: Sheet = {
@@ -26,6 +30,8 @@ export const EMPTY: Sheet = {
   numbers: [],
   names: {},
   tasks: {},
+  order: [],
+  hide: false,
 };
 
 /** More would fit no QR code, and no lesson of a school. */
@@ -38,6 +44,12 @@ const LINKS = list(text(/\S{1,900}/), 1, MOST.links, " ");
 /** Left out where each has that of its place, as in sheets that were made before links had any. */
 const NUMBERS = list(text(/[1-9]\d?/), 1, MOST.links);
 const NAMES = list(text(/link:\d{1,2} [^\n\r]{1,60}/u), 1, MOST.links, "\n");
+/** Which of the items in their usual order comes first, second and so on. */
+const ORDER = list(
+  whole(1, MOST.lessons + MOST.shapes + MOST.links),
+  1,
+  MOST.lessons + MOST.shapes + MOST.links,
+);
 /** A line for each: its name, a space, and words. */
 const TASKS = list(
   text(/(?:e\d{1,4}|shape:[\w-]{1,32}|link:\d{1,2}) [^\n\r]{1,140}/u),
@@ -88,6 +100,10 @@ function valuesOf(sheet: Sheet): [string, string][] {
   if (named.length > 0) values.push(["names", NAMES.write(named)]);
   const lines = linesOf(tasks, itemsOf(sheet), MOST.task);
   if (lines.length > 0) values.push(["tasks", TASKS.write(lines)]);
+  const usual = usualOf(sheet);
+  const order = itemsOf(sheet).map((item) => usual.indexOf(item) + 1);
+  if (order.some((place, i) => place !== i + 1)) values.push(["order", ORDER.write(order)]);
+  if (sheet.hide) values.push(["hide", flag.write(true)]);
   return values;
 }
 
@@ -126,8 +142,14 @@ function sheetOf(written: (name: string) => string | undefined): { sheet: Sheet;
     numbers: [...numbered.values()],
     names: wordsOf(part<readonly string[]>("names", NAMES, [])),
     tasks: wordsOf(part<readonly string[]>("tasks", TASKS, [])),
+    order: [],
+    hide: part("hide", flag, false),
   };
-  return { sheet, whole };
+  const places = part<readonly number[]>("order", ORDER, []);
+  const usual = usualOf(sheet);
+  const order = [...new Set(places)].flatMap((place) => usual[place - 1] ?? []);
+  if (places.length === 0 || order.length === usual.length) return { sheet: { ...sheet, order }, whole };
+  return { sheet, whole: false };
 }
 
 /** The words of each line behind the name that it begins with. */
@@ -140,14 +162,37 @@ function wordsOf(lines: readonly string[]): Record<string, string> {
   );
 }
 
-/** What is to be done, each by a name that no other has: its lesson, `shape:` or `link:` and which. */
-export function itemsOf({
-  lessons,
-  shapes,
-  numbers,
-}: Pick<Sheet, "lessons" | "shapes" | "numbers">): string[] {
+type Items = Pick<Sheet, "lessons" | "shapes" | "numbers">;
+
+/** As they come where the teacher has not ordered them. */
+function usualOf({ lessons, shapes, numbers }: Items): string[] {
   return [...lessons, ...shapes.map((id) => `shape:${id}`), ...numbers.map(linkItem)];
 }
+
+/** What is to be done, each by a name that no other has: its lesson, `shape:` or `link:` and which. */
+export function itemsOf({ order = [], ...items }: Items & Partial<Pick<Sheet, "order">>): string[] {
+  const usual = usualOf(items);
+  // What has been added since it was ordered comes last.
+  return [...order.filter((item) => usual.includes(item)), ...usual.filter((item) => !order.includes(item))];
+}
+
+/** The sheet with one of its items so many places further on. */
+export function moved(sheet: Sheet, item: string, by: number): Sheet {
+  const items = itemsOf(sheet);
+  const at = items.indexOf(item);
+  const to = Math.max(0, Math.min(items.length - 1, at + by));
+  if (at < 0 || to === at) return sheet;
+  items.splice(at, 1);
+  items.splice(to, 0, item);
+  return { ...sheet, order: items };
+}
+
+/** The state of an address as it is where answers may be seen: what pupils wrote is kept by that. */
+export const withoutHiding = (state: string) =>
+  state
+    .split("&")
+    .filter((part) => part !== "hide=1")
+    .join("&");
 
 /** Links with the numbers that they keep. */
 export type Numbered = Pick<Sheet, "links" | "numbers">;

@@ -1,7 +1,7 @@
 import { useContext, useEffect, useMemo, useState } from "preact/hooks";
 import { cameFrom } from "#document/kept/sheet";
 import { presets } from "#document/presets";
-import { Button } from "#ui/controls/Button";
+import { Button, IconButton } from "#ui/controls/Button";
 import { QrCode } from "#ui/overlay/QrCode";
 import fieldCss from "../../kit/frame/field.module.css";
 import frameCss from "../../kit/frame/frame.module.css";
@@ -22,6 +22,7 @@ import {
   linkItem,
   linksIn,
   MOST,
+  moved,
   numbered,
   type Sheet,
   sheetAddress,
@@ -158,23 +159,25 @@ function Make() {
           )}
         </div>
       </details>
+      {count > 0 && <Tasks sheet={sheet} onChange={setSheet} />}
       {count > 0 && (
-        <fieldset class={css["part"]}>
-          <legend>What is to be done, in your own words, where you like</legend>
-          {itemsWithNames(sheet).map(({ key, name }) => (
-            <label key={key} class={fieldCss["field"]}>
-              {name}
-              <input
-                type="text"
-                maxLength={MOST.task}
-                value={sheet.tasks[key] ?? ""}
-                onInput={({ currentTarget }) =>
-                  setSheet({ ...sheet, tasks: { ...sheet.tasks, [key]: currentTarget.value } })
-                }
-              />
-            </label>
-          ))}
-        </fieldset>
+        <div>
+          <label class={css["tick"]}>
+            <input
+              type="checkbox"
+              checked={sheet.hide}
+              onChange={({ currentTarget }) => setSheet({ ...sheet, hide: currentTarget.checked })}
+            />
+            Lessons do not say yet whether a guess is right
+          </label>
+          {sheet.hide && (
+            <p class={layout["hint"]}>
+              The guesses reach you all the same. Once all have handed in, give your class the other link,
+              which shows what is right: what they wrote is there again. Exercises say as ever when they are
+              solved.
+            </p>
+          )}
+        </div>
       )}
       {count === 0 ? (
         <p class={layout["hint"]}>Choose a lesson, and the link stands here.</p>
@@ -184,11 +187,72 @@ function Make() {
         </p>
       ) : (
         <>
-          <Given address={addressOf(sheet)} count={count} />
+          <Given
+            address={addressOf(sheet)}
+            later={sheet.hide ? addressOf({ ...sheet, hide: false }) : null}
+            count={count}
+          />
           <AtHand address={addressOf(sheet)} words={sizeWords(sheet)} />
         </>
       )}
     </section>
+  );
+}
+
+interface TasksProps {
+  sheet: Sheet;
+  onChange: (sheet: Sheet) => void;
+}
+
+/** What is to be done, in its order, each with the teacher's own words. */
+function Tasks({ sheet, onChange }: TasksProps) {
+  const [said, setSaid] = useState("");
+  const items = itemsWithNames(sheet);
+  const move = (key: string, name: string, by: number) => {
+    const next = moved(sheet, key, by);
+    onChange(next);
+    setSaid(`${name} is number ${itemsOf(next).indexOf(key) + 1} of ${items.length}.`);
+  };
+  return (
+    <fieldset class={css["part"]}>
+      <legend>What is to be done, in its order, and in your own words where you like</legend>
+      <ol class={css["tasks"]}>
+        {items.map(({ key, name }, i) => (
+          <li key={key}>
+            <span class="number" aria-hidden="true">
+              {i + 1}.
+            </span>
+            <label class={fieldCss["field"]}>
+              {name}
+              <input
+                type="text"
+                maxLength={MOST.task}
+                value={sheet.tasks[key] ?? ""}
+                onInput={({ currentTarget }) =>
+                  onChange({ ...sheet, tasks: { ...sheet.tasks, [key]: currentTarget.value } })
+                }
+              />
+            </label>
+            {/* At the ends they do nothing, and keep the focus. */}
+            <IconButton
+              icon="up"
+              kind="quiet"
+              label={`Move up: ${name}`}
+              onClick={() => move(key, name, -1)}
+            />
+            <IconButton
+              icon="down"
+              kind="quiet"
+              label={`Move down: ${name}`}
+              onClick={() => move(key, name, 1)}
+            />
+          </li>
+        ))}
+      </ol>
+      <p role="status" class="unseen">
+        {said}
+      </p>
+    </fieldset>
   );
 }
 
@@ -275,8 +339,16 @@ function AtHand({ address, words }: { address: string; words: string }) {
   );
 }
 
-function Given({ address, count }: { address: string; count: number }) {
+interface GivenProps {
+  address: string;
+  /** The link that shows answers, where this one hides them. */
+  later: string | null;
+  count: number;
+}
+
+function Given({ address, later, count }: GivenProps) {
   const [copy, said] = useCopy(address);
+  const [copyLater, saidLater] = useCopy(later ?? "");
   return (
     <div class={css["given"]}>
       <div class={css["part"]}>
@@ -296,7 +368,12 @@ function Given({ address, count }: { address: string; count: number }) {
           <a class="button" href={address}>
             See it as your class does
           </a>
-          <span role="status">{said}</span>
+          {later !== null && (
+            <Button icon="copy" onClick={copyLater}>
+              Copy the link that shows answers
+            </Button>
+          )}
+          <span role="status">{said || (later === null ? "" : saidLater)}</span>
         </div>
       </div>
       <QrCode address={address} />

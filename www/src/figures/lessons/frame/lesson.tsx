@@ -1,16 +1,19 @@
 import type { ComponentChildren } from "preact";
-import { useContext, useEffect, useRef } from "preact/hooks";
+import { useContext, useEffect, useRef, useState } from "preact/hooks";
 import { Button } from "#ui/controls/Button";
 import { Menu } from "#ui/overlay/Menu";
 import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/frame";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
 import { CopyLink } from "../../kit/state/copy-link";
+import { flag } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
 import { markDone } from "./done";
-import { guessWords, keepGuess, keepTruth, truthWords } from "./guesses";
+import { guessOf, guessWords, keepGuess, keepTruth, truthWords } from "./guesses";
 import { printHandout, printHandouts } from "./handout/paper";
 import { Room, Whose } from "./handout/room";
+import { Hidden } from "./hidden";
 import css from "./lesson.module.css";
 import { LessonId, OnPaper } from "./lesson-id";
 import type { Prediction } from "./prediction";
@@ -37,55 +40,58 @@ interface LessonProps extends Heading {
 /** What every lesson has around its pictures. Nothing of it was printed in a paper. */
 export function Lesson(props: LessonProps) {
   useEffect(printHandouts, []);
+  const [hidden] = useKept("hide", false, flag);
   return (
     <LessonId.Provider value={props.id}>
-      <div class={css["first"]} data-part="copies">
-        <Whose lesson={props.id} />
-        <Head
-          number={props.number}
-          title={props.title}
-          badge="by Frond"
-          studio={props.studio}
-          more={
-            <>
-              <SlidesButton />
-              <PrintMenu />
-            </>
-          }
-        >
-          {props.text}
-        </Head>
-        <section
-          class={frameCss["figure-live"]}
-          data-testid="live"
-          data-step="picture"
-          aria-label="The picture"
-        >
-          {props.children}
-        </section>
-        {props.question}
-      </div>
-      {props.exercises !== undefined && (
-        <div class={css["exercises"]} data-part="copies">
-          <h2 class={css["make"]}>Now make one yourself</h2>
-          <p class={css["paper-name"]} aria-hidden="true">
-            {props.number}, {props.title}
-          </p>
-          <OnPaper.Provider value={props.teaching.onPaper}>{props.exercises}</OnPaper.Provider>
+      <Hidden.Provider value={hidden}>
+        <div class={css["first"]} data-part="copies">
+          <Whose lesson={props.id} />
+          <Head
+            number={props.number}
+            title={props.title}
+            badge="by Frond"
+            studio={props.studio}
+            more={
+              <>
+                <SlidesButton />
+                <PrintMenu />
+              </>
+            }
+          >
+            {props.text}
+          </Head>
+          <section
+            class={frameCss["figure-live"]}
+            data-testid="live"
+            data-step="picture"
+            aria-label="The picture"
+          >
+            {props.children}
+          </section>
+          {props.question}
         </div>
-      )}
-      <div class={`${frameCss["figure-foot"]} ${css["foot"]}`} data-part="answers">
-        <section aria-labelledby="figure-parameters">
-          <h2 id="figure-parameters">Parameters</h2>
-          <Parameters of={props.parameters} />
-        </section>
-        <section aria-labelledby="figure-sources">
-          <h2 id="figure-sources">Where this comes from</h2>
-          {props.sources}
-        </section>
-      </div>
-      <ForTeachers lesson={`${props.number}, ${props.title}`} teaching={props.teaching} />
-      <Slides />
+        {props.exercises !== undefined && (
+          <div class={css["exercises"]} data-part="copies">
+            <h2 class={css["make"]}>Now make one yourself</h2>
+            <p class={css["paper-name"]} aria-hidden="true">
+              {props.number}, {props.title}
+            </p>
+            <OnPaper.Provider value={props.teaching.onPaper}>{props.exercises}</OnPaper.Provider>
+          </div>
+        )}
+        <div class={`${frameCss["figure-foot"]} ${css["foot"]}`} data-part="answers">
+          <section aria-labelledby="figure-parameters">
+            <h2 id="figure-parameters">Parameters</h2>
+            <Parameters of={props.parameters} />
+          </section>
+          <section aria-labelledby="figure-sources">
+            <h2 id="figure-sources">Where this comes from</h2>
+            {props.sources}
+          </section>
+        </div>
+        <ForTeachers lesson={`${props.number}, ${props.title}`} teaching={props.teaching} />
+        <Slides />
+      </Hidden.Provider>
     </LessonId.Provider>
   );
 }
@@ -132,13 +138,23 @@ export function Question(props: QuestionProps) {
   const question = useRef<HTMLElement>(null);
   // On slides it is a class that guesses, and not who has done lessons in this browser.
   const own = useValue(slide) === null;
-  const look = () => {
-    if (own) keepGuess(lesson, guessWords(question.current, guess));
-    show();
-    if (own) markDone(lesson);
+  const hidden = useContext(Hidden);
+  const [kept, setKept] = useState(() => (hidden ? guessOf(lesson) : ""));
+  const keep = () => {
+    keepGuess(lesson, guessWords(question.current, guess));
+    markDone(lesson);
   };
+  const look = () => {
+    if (own) keep();
+    show();
+  };
+  const keepOnly = () => {
+    keep();
+    setKept(guessOf(lesson));
+  };
+  const looked = hidden ? kept !== "" : shown;
   useEffect(() => {
-    if (!own || !shown || truth === null) return;
+    if (!own || !looked || truth === null) return;
     const words = guessWords(question.current, guess);
     const so = truthWords(question.current, truth);
     const right =
@@ -146,7 +162,7 @@ export function Question(props: QuestionProps) {
         ? Math.abs(guess - truth) <= within + 1e-9
         : words === so;
     keepTruth(lesson, words, right, so);
-  }, [own, lesson, shown, guess, truth, within]);
+  }, [own, lesson, looked, guess, truth, within]);
   return (
     <section
       ref={question}
@@ -171,10 +187,27 @@ export function Question(props: QuestionProps) {
           {children}
           <Room lines={beside === undefined ? 4 : 2} most={7} />
           <div class={`${layout["buttons"]} ${css["look"]}`}>
-            <Button kind={shown ? "plain" : "primary"} disabled={!said} onClick={shown ? again : look}>
-              {shown ? "Think again" : "Show me"}
-            </Button>
-            {!said && <p class={layout["hint"]}>Make a guess, then look.</p>}
+            {hidden && !shown ? (
+              <>
+                <Button kind="primary" disabled={!said || kept !== ""} onClick={keepOnly}>
+                  Keep my guess
+                </Button>
+                <p class={layout["hint"]} role="status">
+                  {kept !== ""
+                    ? `Your guess is kept: ${kept}. Your teacher shows later what is right.`
+                    : said
+                      ? ""
+                      : "Make a guess, then keep it."}
+                </p>
+              </>
+            ) : (
+              <>
+                <Button kind={shown ? "plain" : "primary"} disabled={!said} onClick={shown ? again : look}>
+                  {shown ? "Think again" : "Show me"}
+                </Button>
+                {!said && <p class={layout["hint"]}>Make a guess, then look.</p>}
+              </>
+            )}
           </div>
           <div class={css["answer"]} aria-live="polite">
             {shown && answer}

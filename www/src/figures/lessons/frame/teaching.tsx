@@ -1,7 +1,8 @@
-import { useLayoutEffect, useRef, useState } from "preact/hooks";
+import { useContext, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { Button } from "#ui/controls/Button";
 import { useValue } from "../../kit/workers";
 import { paper } from "./handout/paper";
+import { Hidden } from "./hidden";
 import css from "./teaching.module.css";
 
 /** An exercise as a handout has it, where nothing can be pressed or dragged. */
@@ -40,6 +41,7 @@ export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
   const fold = useRef<HTMLDetailsElement>(null);
   const covered = useValue(paper);
   const [told, setTold] = useState(false);
+  const hidden = useContext(Hidden);
   const answers = told || covered;
   useLayoutEffect(() => {
     if (!covered || !fold.current || fold.current.open) return;
@@ -56,7 +58,10 @@ export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
         <p class={css["paper-name"]}>Answers, and words for teachers: {lesson}</p>
         <h3>Aim</h3>
         <p>{aim}</p>
-        {!answers && (
+        {!answers && hidden && (
+          <p>The class sheet that led here hides the answers for now. The teacher’s own link shows them.</p>
+        )}
+        {!answers && !hidden && (
           <>
             <p>The answers are not shown yet: whoever learns here may want to try first.</p>
             <div>
