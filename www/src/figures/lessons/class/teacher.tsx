@@ -9,6 +9,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { preset } from "../../kit/frame/studio-link";
 import { Fitted } from "../../kit/picture/fitted";
 import { Page } from "../../kit/state/kept";
+import { toTop } from "../../kit/state/steps";
 import { LESSONS } from "../course";
 import css from "./class.module.css";
 import { Handed } from "./handed/handed";
@@ -48,12 +49,27 @@ export function Teacher() {
         account; they hand in by a QR code, a link or a file, and you collect the answers here. Nothing is
         sent anywhere.
       </p>
+      {link === null && (
+        <div class={css["screen"]}>
+          <Button icon="down" onClick={toAnswers}>
+            Collect answers
+          </Button>
+        </div>
+      )}
       {/* Who opens the link of a pupil wants to see that. */}
       {link !== null && handed}
       <Make />
       {link === null && handed}
     </div>
   );
+}
+
+/** Past all the lessons that could be chosen, which on a telephone are many screens. */
+function toAnswers(): void {
+  const heading = document.getElementById("handed");
+  if (!heading) return;
+  toTop(heading);
+  heading.focus({ preventScroll: true });
 }
 
 /** The title of the sheet in the making; null where there is none. */

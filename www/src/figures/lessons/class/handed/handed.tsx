@@ -62,7 +62,7 @@ export function Handed({ link, draft }: HandedProps) {
   };
   return (
     <section class={css["part"]} aria-labelledby="handed">
-      <h2 id="handed" class={css["screen"]}>
+      <h2 id="handed" class={css["screen"]} tabIndex={-1}>
         Answers of your class
       </h2>
       {alone && (
