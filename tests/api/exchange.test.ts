@@ -54,8 +54,13 @@ describe("files of other programs", () => {
   });
 
   it("have the samples of a locus", () => {
-    const [bounds, state, gap] = [Float64Array.of(0, 1, 0, 1), Uint8Array.of(0, 2), Float32Array.of(0, 0.5)];
-    expect(exchange.locusCsv(bounds, 2, state, gap)).toBe("u,v,state,gap\n0,0,0,0\n1,0,2,0.5\n");
+    const bounds = { v0: 3, u0: -1, u1: 2, v1: 4 };
+    const [state, gap] = [Uint8Array.of(0, 2, 0, 0), Float32Array.of(0, 0.5, 0, 0)];
+    const table = "u,v,state,gap\n-1,3,0,0\n2,3,2,0.5\n-1,4,0,0\n2,4,0,0\n";
+    expect(exchange.locusCsv(bounds, 2, state, gap)).toBe(table);
+    // As it was once called.
+    for (const four of [[-1, 2, 3, 4], Float64Array.of(-1, 2, 3, 4)])
+      expect(exchange.locusCsv(four, 2, state, gap)).toBe(table);
     expect(exchange.locusNpy(bounds, 2, state, gap).slice(0, 8)).toEqual(
       Uint8Array.from(Buffer.from("\x93NUMPY\x01\0", "latin1")),
     );
@@ -92,5 +97,9 @@ describe("files of other programs", () => {
     expect(
       refused(() => exchange.locusCsv(new Float64Array(3), 0, new Uint8Array(), new Float32Array())),
     ).toBe("bad-input");
+    for (const bounds of [null, {}, { u0: 0, u1: 1, v0: 0 }, { u0: 0, u1: 1, v0: 0, v1: Number.NaN }, "abcd"])
+      expect(refused(() => exchange.locusNpy(wrong(bounds), 1, Uint8Array.of(0), Float32Array.of(0)))).toBe(
+        "bad-input",
+      );
   });
 });

@@ -278,7 +278,20 @@ describe("the packed package", () => {
 
   it("decides, exports and checks", () => {
     expect(frond("locus", link, "--out", "x.csv", "--width", "7", "--height", "7").status).toBe(0);
-    expect(bytes("x.csv").toString().trim().split("\n").length).toBeGreaterThanOrEqual(49);
+    const samples = bytes("x.csv")
+      .toString()
+      .trim()
+      .split("\n")
+      .slice(1)
+      .map((row) => row.split(",").map(Number));
+    const place = (i: number) => samples[i]?.slice(0, 2);
+    expect(samples.length).toBe(49);
+    expect([place(0), place(1), place(7), place(48)]).toEqual([
+      [-1, -1],
+      [-0.5, -1],
+      [-1, -0.5],
+      [2, 2],
+    ]);
     writeFileSync(join(app, "dust.json"), '{ "maps": [[0.3,0,0,0.3,0,0],[0.3,0,0,0.3,0.7,0]] }');
     const decided = frond("connectedness", "dust.json");
     expect([decided.status, JSON.parse(decided.stdout).verdict]).toEqual([1, "disconnected"]);

@@ -65,6 +65,29 @@ test("a page of another origin shows a morph, and drives it", async ({ page, bas
   server.closeAllConnections();
 });
 
+test("the picture fills the frame, however large and whatever its form", async ({ page, baseURL }) => {
+  for (const [width, height] of [
+    [640, 360],
+    [900, 600],
+    [1280, 720],
+    [1920, 1080],
+    [420, 900],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await page.goto(`${baseURL}embed.html#a=gasket&b=gasket&path=straight`);
+    const picture = page.locator("canvas").first();
+    await picture.waitFor();
+    const foot = page.getByRole("contentinfo");
+    // Above it is nothing, and below it the slider.
+    await expect
+      .poll(async () => {
+        const [box, below] = [await picture.boundingBox(), await foot.boundingBox()];
+        return box && below && [box.x, box.y, box.width, Math.round(below.y - box.height)];
+      })
+      .toEqual([0, 0, width, 0]);
+  }
+});
+
 test("by itself it is a page that everybody can use, with the map where that is asked for", async ({
   page,
 }) => {

@@ -24,8 +24,7 @@ export async function locus(link: string, options: Options, system: System): Pro
   };
   const { state, gap } = await system.pool().locus(...ends, { ...morph, ...size, bounds }, { onProgress });
   const { locusCsv, locusNpy } = await system.exchange();
-  const corners = [bounds.u0, bounds.v0, bounds.u1, bounds.v1];
-  await system.write(out, (kind === "csv" ? locusCsv : locusNpy)(corners, size.width, state, gap));
+  await system.write(out, (kind === "csv" ? locusCsv : locusNpy)(bounds, size.width, state, gap));
   system.tell(`${out}: ${size.width} x ${size.height} samples`);
   return 0;
 }

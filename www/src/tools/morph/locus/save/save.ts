@@ -30,7 +30,6 @@ export async function saveLocus(kind: LocusFile, style: LocusStyle): Promise<voi
     if (!field) throw new Error("Nothing is known of the map yet. Wait a moment.");
     const { width, gap, bounds } = field;
     const states = Uint8Array.from(field.state, atAll);
-    const rectangle = Float64Array.of(bounds.u0, bounds.u1, bounds.v0, bounds.v1);
     if (kind === "png") {
       download(await pngOf(picture(field, style)), `${fileName()}.png`);
     } else if (kind === "svg" || kind === "path") {
@@ -38,10 +37,10 @@ export async function saveLocus(kind: LocusFile, style: LocusStyle): Promise<voi
       download(new Blob([drawing(field, style, kind === "path")], { type: "image/svg+xml" }), `${name}.svg`);
       if (kind === "path") return;
     } else if (kind === "csv") {
-      const text = (await loadExchange()).locusCsv(rectangle, width, states, gap);
+      const text = (await loadExchange()).locusCsv(bounds, width, states, gap);
       download(new Blob([text], { type: "text/csv" }), `${fileName()}.csv`);
     } else {
-      const bytes = (await loadExchange()).locusNpy(rectangle, width, states, gap);
+      const bytes = (await loadExchange()).locusNpy(bounds, width, states, gap);
       download(new Blob([new Uint8Array(bytes)]), `${fileName()}.npy`);
     }
     if ((locusWindow.peek()?.progress ?? 1) < 1) {
