@@ -10,7 +10,7 @@ const BEGIN = /answers(?:=|%3D)/gi;
 export const MOST_CODES = 2000;
 /** The longest code has fewer signs, and what mails put between them. */
 const WINDOW = 60_000;
-/** What mails and chats put between the signs of a code that they break: ends of lines, quote marks, what is not seen. */
+/** What mails and chats put between the signs of a code: ends of lines, quote marks, what is not seen. */
 const BETWEEN = /[\s>|=\u00ad\u200b-\u200f\u2060\ufeff]/g;
 /** Fewer letters are a word of a sentence. */
 const LEAST = 12;
