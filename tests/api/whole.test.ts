@@ -2,7 +2,7 @@
 import { readFile } from "node:fs/promises";
 import { beforeAll, beforeEach, expect, it } from "vitest";
 import { edit, endGesture, redo, scene, start, undo } from "#document/scene";
-import { placeShape, takenOf } from "#document/whole";
+import { placeShape, takenOf } from "#document/editing/whole";
 import { apartBy } from "#geometry/maps/apart";
 import type { MapRow } from "#wasm/api";
 import initCore from "../../www/pkg/frond-first.js";

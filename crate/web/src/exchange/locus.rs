@@ -41,7 +41,10 @@ fn corners(bounds: &JsValue) -> Result<[f64; 4], JsValue> {
 /// A locus as a table, `u,v,state,gap`. `bounds` are `{ u0, u1, v0, v1 }`; samples as in `Locus`, row 0 at the bottom.
 #[wasm_bindgen(js_name = locusCsv)]
 pub fn write_csv(
-    #[wasm_bindgen(unchecked_param_type = "Bounds | ArrayLike<number>")] bounds: JsValue,
+    #[wasm_bindgen(
+        unchecked_param_type = "{ u0: number; v0: number; u1: number; v1: number } | ArrayLike<number>"
+    )]
+    bounds: JsValue,
     width: usize,
     state: &[u8],
     gap: &[f32],
@@ -52,7 +55,10 @@ pub fn write_csv(
 /// The same as a file of NumPy (.npy): a field each for u, v, state and gap.
 #[wasm_bindgen(js_name = locusNpy)]
 pub fn write_npy(
-    #[wasm_bindgen(unchecked_param_type = "Bounds | ArrayLike<number>")] bounds: JsValue,
+    #[wasm_bindgen(
+        unchecked_param_type = "{ u0: number; v0: number; u1: number; v1: number } | ArrayLike<number>"
+    )]
+    bounds: JsValue,
     width: usize,
     state: &[u8],
     gap: &[f32],
