@@ -1,8 +1,8 @@
 /** A shape taken in hand as a whole: what becomes of the document, by the module that conjugates. */
 import { readFile } from "node:fs/promises";
 import { beforeAll, beforeEach, expect, it } from "vitest";
-import { edit, endGesture, redo, scene, start, undo } from "#document/scene";
 import { placeShape, takenOf } from "#document/editing/whole";
+import { edit, endGesture, redo, scene, start, undo } from "#document/scene";
 import { apartBy } from "#geometry/maps/apart";
 import type { MapRow } from "#wasm/api";
 import initCore from "../../www/pkg/frond-first.js";

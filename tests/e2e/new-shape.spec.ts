@@ -49,16 +49,50 @@ test("a shape is begun with copies of a square, which stay where they are while 
   expect([await outline(1), await outline(2)]).not.toEqual(before);
   await page.getByRole("button", { name: "Unit square" }).click();
 
-  for (const left of [2, 1]) {
-    await page.locator("body").press("Delete");
-    await expect.poll(async () => (await studio.scene()).a.maps.length).toBe(left);
-  }
+  const count = async () => (await studio.scene()).a.maps.length;
   await page.locator("body").press("Delete");
+  await expect.poll(count).toBe(2);
+  // The same key again takes away no other: none is chosen.
+  await page.locator("body").press("Delete");
+  await expect(page.locator(".toasts")).toContainText("Map 3 is removed.");
+  expect(await count()).toBe(2);
+  // What has the focus is what goes, on the picture and in the list; and nothing while something else has it.
+  await body(1).focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Delete");
+  await expect.poll(count).toBe(1);
+  expect((await studio.scene()).a.maps[0]?.[4]).toBe(0.5);
+  await page.getByRole("button", { name: "Play" }).focus();
+  await page.keyboard.press("Delete");
+  await page.locator(".side ol button").first().focus();
+  await page.keyboard.press("Delete");
   await expect(page.locator(".toasts")).toContainText("a shape has at least one");
   // Two maps never lie on each other, and where they differ their numbers do.
   await page.getByRole("button", { name: "Add a map" }).click();
   const [p, q] = (await studio.scene()).a.maps;
   expect(Math.hypot((p?.[4] ?? 0) - (q?.[4] ?? 0), (p?.[5] ?? 0) - (q?.[5] ?? 0))).toBeGreaterThan(0.4);
+});
+
+test("Back leaves a dialog and the editor, and then leads to the shape before", async ({ studio, page }) => {
+  await studio.open("a=dragon&b=gasket&path=straight&t=0.4");
+  const first = async () => (await studio.scene()).a.name;
+  await page.locator("body").press("g");
+  await page.getByRole("dialog").getByRole("button", { name: "3 copies", exact: true }).click();
+  await expect(page.getByRole("heading", { name: "Maps of A" })).toBeVisible();
+  await page.locator("body").press("x");
+  await page.getByRole("dialog", { name: "Export" }).waitFor();
+  await page.goBack();
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+  await expect(page.getByRole("heading", { name: "Maps of A" })).toBeVisible();
+  await page.goBack();
+  await expect(page.getByRole("heading", { name: "Maps of A" })).toHaveCount(0);
+  expect(await first()).toBe("New shape");
+  // The stage shows what was edited.
+  expect((await studio.scene()).t).toBe(0);
+  await page.goBack();
+  await expect.poll(first).toBe("Dragon");
+  await page.goForward();
+  await expect.poll(first).toBe("New shape");
 });
 
 test("a handle of the chosen map takes the drag where the number of another lies on it", async ({

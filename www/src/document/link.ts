@@ -62,6 +62,8 @@ export class Link {
   #seen = "";
 
   readonly #onOpen: () => void;
+  /** The browser left an entry of its history that it comes back to at once: nothing is followed meanwhile. */
+  holding = false;
 
   constructor(codec: Codec, address: Address, onOpen: () => void = () => {}) {
     this.#codec = codec;
@@ -81,6 +83,7 @@ export class Link {
 
   /** The address has changed from outside: a link was followed, or the back button pressed. */
   follow(): void {
+    if (this.holding) return;
     this.#stop();
     const fragment = this.#address.read();
     this.#seen = fragment;

@@ -1,5 +1,4 @@
 import { computed } from "@preact/signals";
-import { outOfView } from "#document/editing/frame";
 import { here, locusView, selection } from "#document/morph";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
@@ -8,7 +7,7 @@ import { fixed } from "#format/numbers";
 import { countWords } from "#format/verdict";
 import { fitStage } from "#stage/gestures";
 import { picture } from "#stage/stage";
-import { view, zoom } from "#stage/view";
+import { outOfView, view, zoom } from "#stage/view";
 import { withKey } from "#ui/commands";
 import { workers } from "#workers/pool/engine";
 import { Glyph } from "./glyphs";
@@ -35,9 +34,11 @@ export function Readout() {
         </span>
       )}
       {picture.value.points > 0 && (
-        <span class="readout-points">{countWords(picture.value.points)} points</span>
+        <span class="readout-points">
+          {countWords(picture.value.points)} {picture.value.points === 1 ? "point" : "points"}
+        </span>
       )}
-      {outOfView.value && view.value === null && <span>part is out of view</span>}
+      {outOfView.value && <span class="readout-points">part is out of view</span>}
       {!workers.value.available && <span>no workers</span>}
       <span data-testid="zoom">{zoomWords.value}</span>
       <button

@@ -9,8 +9,10 @@
 import { effect } from "@preact/signals";
 import { onChoice } from "#document/editing/choice";
 import { openings, route } from "#document/link";
+import { selection } from "#document/morph";
 import { edit, scene } from "#document/scene";
 import { openTool } from "#document/tool";
+import { endEditing } from "#tools/morph/dialogs";
 import type { Scene, Tool } from "#wasm/api";
 
 /** What is noted with an entry of the history: the tool, and which document of this tab it is. */
@@ -32,6 +34,7 @@ interface Linked {
   fragment(change?: Partial<Scene>): string | null;
   /** The address was changed from outside. */
   follow(): void;
+  holding: boolean;
 }
 
 export class ToolSteps {
@@ -140,12 +143,49 @@ const tab: Entries = {
   mark: () => history.state,
   write(mark, fragment, begin) {
     history[begin ? "pushState" : "replaceState"](mark, "", `#${fragment}`);
+    here = placeNow();
   },
 };
+
+/** Where in the browser's history the page was last. */
+let here: number | null = null;
+
+/** Which entry of the browser's history this is; null where the browser does not say. */
+function placeNow(): number | null {
+  const { navigation } = globalThis as { navigation?: { currentEntry?: { index: number } | null } };
+  return navigation?.currentEntry?.index ?? null;
+}
+
+/** Closes a dialog, or ends editing; false where there is neither. */
+function leaveOne(): boolean {
+  const dialog = [...document.querySelectorAll("dialog[open]")].at(-1);
+  if (dialog) dialog.dispatchEvent(new Event("cancel", { cancelable: true }));
+  else if (selection.peek() && route.peek().page === "studio") endEditing();
+  else return false;
+  return true;
+}
 
 export function beStepped(link: Linked): void {
   const steps = new ToolSteps(link, tab);
   steps.watch();
   onChoice(() => steps.choosing());
-  addEventListener("popstate", () => steps.came());
+  here = placeNow();
+  addEventListener("popstate", () => {
+    const from = here;
+    here = placeNow();
+    if (link.holding) {
+      // The word that the address has changed comes with this one, and is nobody's.
+      setTimeout(() => {
+        link.holding = false;
+      });
+      return;
+    }
+    // Back leaves what lies over the page first, and all else stays. A link that is pressed leads on.
+    if (from !== null && here !== null && here < from && leaveOne()) {
+      link.holding = true;
+      history.go(from - here);
+      return;
+    }
+    steps.came();
+  });
 }

@@ -1,5 +1,6 @@
 /** Which part of the plane the stage shows. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { editedNow } from "#document/editing/frame";
 import { fitFor, heldBox, pairBox, stageTrack } from "#document/framing";
 import { selection } from "#document/morph";
 import { reducedMotion } from "#document/preferences";
@@ -48,6 +49,16 @@ export function fitOnStage(box: Box, left = 0, foot = FOOT): View {
 
 /** The view that is drawn. */
 export const effectiveView: ReadonlySignal<View> = computed(() => view.value ?? fitView.value);
+
+/** Whether something that is edited lies off the stage. */
+export const outOfView: ReadonlySignal<boolean> = computed(() => {
+  const all = editedNow.value;
+  if (!all || inGesture.value) return false;
+  const { x, y, scale } = effectiveView.value;
+  const { width, height } = sizeOr(stageSize.value);
+  const [across, up] = [width / 2 / scale, height / 2 / scale];
+  return all.x0 < x - across || all.x1 > x + across || all.y0 < y - up || all.y1 > y + up;
+});
 
 /** How much larger than the fit the picture is shown: 1 is the fit. */
 export const zoom: ReadonlySignal<number> = computed(() => effectiveView.value.scale / fitView.value.scale);

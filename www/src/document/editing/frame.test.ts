@@ -11,7 +11,7 @@ vi.mock("#wasm/core", () => ({ frond: { bounds } }));
 
 const { selection } = await import("../morph");
 const { edit, endGesture, scene, start, undo } = await import("../scene");
-const { carryFrame, editFrame, frameAround, frameOf, outOfView, refitEdited, setFrame } = await import(
+const { carryFrame, editedNow, editFrame, frameAround, frameOf, refitEdited, setFrame } = await import(
   "./frame"
 );
 
@@ -43,6 +43,10 @@ describe("the frame of a shape that is edited", () => {
     expect(editFrame.value).toBe(frame);
     undo();
     expect(editFrame.value).toBe(frame);
+    // Another frame is no step of undo, and stays over one.
+    setFrame(scene.peek().a.maps, { x0: 0, y0: 0, x1: 3, y1: 3 });
+    undo();
+    expect(editFrame.value?.box.x1).toBe(3);
   });
 
   it("is the unit square for maps that were made in it", () => {
@@ -70,13 +74,11 @@ describe("the frame of a shape that is edited", () => {
   it("leaves the view as it is until it is asked to fit", () => {
     opened([at(0, 0), at(0.5, 0.5)]);
     const { seen } = editFrame.value ?? {};
-    expect(outOfView.value).toBe(false);
     moved([at(0, 0), at(1.5, 0.5)]);
     expect(editFrame.value?.seen).toEqual(seen);
-    expect(outOfView.value).toBe(true);
+    expect(editedNow.value?.x1).toBe(3);
     refitEdited();
     expect(editFrame.value?.seen.x1).toBe(3);
-    expect(outOfView.value).toBe(false);
     setFrame(scene.peek().a.maps, { x0: -9, y0: 0, x1: 1, y1: 1 }, { byHand: true });
     expect(editFrame.value?.seen.x0).toBe(0);
   });

@@ -21,8 +21,8 @@ export interface EditFrame {
 /** How narrow a frame may be, in proportion: of a shape on a line nothing could be taken hold of. */
 const NARROWEST = 0.25;
 
-/** Of each list of maps that was edited: undo and redo come back to the same lists. */
-const known = new WeakMap<readonly MapRow[], EditFrame>();
+/** Of each list of maps that was edited: all lists of one shape share it, so that undo leaves it as it is. */
+const known = new WeakMap<readonly MapRow[], { frame: EditFrame }>();
 /** How often a frame was changed. */
 const changed = signal(0);
 
@@ -61,26 +61,29 @@ function inUnitSquare(maps: readonly MapRow[]): boolean {
 
 /** The frame of a shape: as it was left, else around the shape as it is now. */
 export function frameOf(maps: MapRow[], ofGallery = false): EditFrame {
-  let frame = known.get(maps);
-  if (!frame) {
+  let shared = known.get(maps);
+  if (!shared) {
     const box = !ofGallery && inUnitSquare(maps) ? UNIT : frameAround(maps);
-    frame = { box, seen: seenAround(maps, box), follows: false };
-    known.set(maps, frame);
+    shared = { frame: { box, seen: seenAround(maps, box), follows: false } };
+    known.set(maps, shared);
   }
-  return frame;
+  return shared.frame;
 }
 
 /** Other maps of the same shape keep its frame. */
 export function carryFrame(before: readonly MapRow[], after: MapRow[]): MapRow[] {
-  const frame = known.get(before);
-  if (frame) known.set(after, frame);
+  const shared = known.get(before);
+  if (shared) known.set(after, shared);
   return after;
 }
 
 /** Another frame for the maps, which the stage is fitted to; by a hand on the stage, under which that stays. */
 export function setFrame(maps: MapRow[], box: Box, { follows = false, byHand = false } = {}): void {
-  const seen = (byHand && known.get(maps)?.seen) || seenAround(maps, box);
-  known.set(maps, { box, seen, follows });
+  const shared = known.get(maps);
+  const seen = (byHand && shared?.frame.seen) || seenAround(maps, box);
+  const frame = { box, seen, follows };
+  if (shared) shared.frame = frame;
+  else known.set(maps, { frame });
   changed.value++;
 }
 
@@ -113,18 +116,9 @@ export function refitEdited(): void {
   setFrame(scene.peek()[editing.target].maps, frame.box);
 }
 
-/** Whether something that is edited is not seen in the fitted view. */
-export const outOfView: ReadonlySignal<boolean> = computed(() => {
+/** All that is edited, as it is now: the shape, the frame and its images; null where nothing is. */
+export const editedNow: ReadonlySignal<Box | null> = computed(() => {
   const frame = editFrame.value;
   const editing = selection.value;
-  if (!(frame && editing) || inGesture.value) return false;
-  const all = seenAround(scene.value[editing.target].maps, frame.box);
-  const slack = 0.04 * Math.max(frame.seen.x1 - frame.seen.x0, frame.seen.y1 - frame.seen.y0);
-  const { seen } = frame;
-  return (
-    all.x0 < seen.x0 - slack ||
-    all.y0 < seen.y0 - slack ||
-    all.x1 > seen.x1 + slack ||
-    all.y1 > seen.y1 + slack
-  );
+  return frame && editing ? seenAround(scene.value[editing.target].maps, frame.box) : null;
 });

@@ -52,7 +52,8 @@ function Maps() {
   const focused = document.activeElement?.closest(".overlay") != null;
   useLayoutEffect(() => {
     // A map that had the focus was removed: keys go on with the one that is chosen now.
-    if (focused && document.activeElement === document.body) chosenBody()?.focus();
+    if (focused && document.activeElement === document.body)
+      (chosenBody() ?? document.querySelector<SVGElement>(".overlay [role=button]"))?.focus();
   });
   if (!maps || !chosen) return null;
   // The chosen one last, so that it lies on top.

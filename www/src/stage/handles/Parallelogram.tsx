@@ -94,6 +94,8 @@ export function Tag({
     <g
       class={css["tag"]}
       data-handle=""
+      // What listens can take the focus in some browsers: keys have the body.
+      tabindex={-1}
       transform={`translate(${at.x} ${at.y})`}
       ref={useHeldGrip(held, "origin", choose)}
     >
@@ -150,6 +152,7 @@ function Turner({ held, corners }: { held: Held; corners: Corners }) {
   const at = turnerAt(corners);
   return (
     <>
+      <line class={css["arm-halo"]} x1={from.x} y1={from.y} x2={at.x} y2={at.y} />
       <line class={css["arm"]} x1={from.x} y1={from.y} x2={at.x} y2={at.y} />
       {/* biome-ignore lint/a11y/useSemanticElements: there are no buttons in SVG */}
       <g
@@ -162,6 +165,7 @@ function Turner({ held, corners }: { held: Held; corners: Corners }) {
         ref={useHeldTurner(held, turnerAt)}
       >
         <circle class={css["reach"]} r={22} />
+        <circle class={css["turner-ground"]} r={11} />
         <path class="knob" d="M5 -4A6.500 6.500 0 1 0 6.500 1M6 -8V-3.500H1.500" />
       </g>
     </>

@@ -70,7 +70,10 @@ export const useHeldGrip = (held: Held, grip: Grip, take?: () => void) =>
       }
       const step = ARROWS[event.key];
       const at = placeOf(held, grip);
+      // What has the focus is what keys mean, and so what is chosen.
+      if ((event.key === "Delete" || event.key === "Backspace") && !foreign(event)) take?.();
       if (!step || !at || foreign(event)) return false;
+      take?.();
       const far = event.shiftKey ? FINE : STEP;
       moveTo(held, grip, { x: at.x + far * step[0], y: at.y + far * step[1] }, `keys ${held.id} ${grip}`);
       const map = held.map();

@@ -8,7 +8,7 @@ import { colourCommand, fitCommand, galleryCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
-import { editMaps, gallery, takeWhole, toggleOrbit } from "./dialogs";
+import { editMaps, endEditing, gallery, takeWhole, toggleOrbit } from "./dialogs";
 import { course, placeOf } from "./locus/families/course";
 import { toggleFull, toggleLarge } from "./locus/view/large";
 import { frames } from "./strip/FilmStrip";
@@ -47,11 +47,19 @@ export const timeline: Timeline = {
 
 const SHAPES = "Shapes and picture";
 
+/** Whether the focus is on the picture, or nowhere. */
+const onStage = () =>
+  !document.activeElement?.matches("body *") || !!document.activeElement.closest(".stage");
+
 export const commands: readonly Command[] = [
   ...widgetKeys("Path, with a point in focus", [
     ["way-move", "Move by 0.01; Shift finer, Alt coarser", "←", "→", "↑", "↓"],
     ["way-add", "Add a way point", "+", "Enter"],
     ["way-remove", "Remove the way point", "Delete", "−"],
+  ]),
+  ...widgetKeys("Outline of a map, in focus (Tab)", [
+    ["map-move", "Choose it and move it; Shift finer", "←", "→", "↑", "↓"],
+    ["map-choose", "Choose it", "Enter"],
   ]),
   ...widgetKeys("Map, in focus", [
     ["cross-move", "Move the cross; Shift finer, Alt farther", "←", "→", "↑", "↓"],
@@ -76,7 +84,7 @@ export const commands: readonly Command[] = [
     enabled: () => !standIn.peek(),
     run: () => {
       if (selection.peek() === null) editMaps("a");
-      else selection.value = null;
+      else endEditing();
     },
   },
   {
@@ -87,7 +95,7 @@ export const commands: readonly Command[] = [
     enabled: () => !standIn.peek(),
     run() {
       const now = selection.peek();
-      if (now?.whole) selection.value = null;
+      if (now?.whole) endEditing();
       else takeWhole(now?.target ?? "a");
     },
   },
@@ -96,7 +104,8 @@ export const commands: readonly Command[] = [
     label: "Remove the map that is chosen",
     group: SHAPES,
     keys: ["Delete", "Backspace"],
-    enabled: () => selection.peek()?.map != null && !selection.peek()?.whole,
+    // Whoever is elsewhere on the page means something else by this key.
+    enabled: () => selection.peek()?.map != null && !selection.peek()?.whole && onStage(),
     run: () => void import("./maps/remove").then(({ removeChosen }) => removeChosen()),
   },
   {

@@ -1,6 +1,8 @@
 import { signal } from "@preact/signals";
 import { createRef } from "preact";
 import { selection } from "#document/morph";
+import { pause } from "#document/playback";
+import { replace, scene } from "#document/scene";
 import { evidenceOpen } from "#stage/evidence/shown";
 import type { End } from "./changes";
 
@@ -56,8 +58,17 @@ export const PENCILS = { a: createRef<HTMLButtonElement>(), b: createRef<HTMLBut
 export function endEditing(): void {
   const target = selection.peek()?.target;
   selection.value = null;
+  if (target) showEnd(target);
   // It is drawn after the state has changed.
   if (target) requestAnimationFrame(() => PENCILS[target].current?.focus());
+}
+
+/** The moment at which the stage shows an end: what was edited is seen. */
+function showEnd(end: End): void {
+  pause();
+  const t = end === "a" ? 0 : 1;
+  const now = scene.peek();
+  if (now.t !== t) replace({ ...now, t });
 }
 
 /** Whether the list of pairs is open, and in it the other ways to match, and the ways across. */

@@ -13,12 +13,14 @@ interface MapListProps {
   swatch: (index: number) => ComponentChildren;
   /** Whether that is so. */
   numbered?: boolean;
+  /** Takes one away, where the key Delete does so. */
+  onRemove?: (index: number) => void;
   /** The fields of the open one. */
   fields: (index: number) => ComponentChildren;
 }
 
 /** Maps under each other, one of which is open. */
-export function MapList({ maps, open, onOpen, swatch, numbered = false, fields }: MapListProps) {
+export function MapList({ maps, open, onOpen, swatch, numbered = false, onRemove, fields }: MapListProps) {
   const list = useRef<HTMLOListElement>(null);
   const first = useRef(true);
   useEffect(() => {
@@ -36,6 +38,12 @@ export function MapList({ maps, open, onOpen, swatch, numbered = false, fields }
             class={css["map-head"]}
             aria-expanded={open === index}
             onClick={() => onOpen(open === index ? null : index)}
+            onKeyDown={(event) => {
+              if (!onRemove || (event.key !== "Delete" && event.key !== "Backspace")) return;
+              event.preventDefault();
+              event.stopPropagation();
+              onRemove(index);
+            }}
           >
             {swatch(index)}
             {numbered ? <span class="unseen">Map {index + 1}: </span> : <span>Map {index + 1}</span>}

@@ -43,8 +43,8 @@ function FrameFields({ target, box, follows }: { target: End; box: Box; follows:
   return (
     <div class="stack">
       <p class="hint">
-        Each outline is what a map makes of the dashed frame. Drag two of its corners on the picture, or type.
-        The frame changes no map.
+        Each outline is what a map makes of the dashed frame, which changes no map.
+        {follows ? "" : " Drag two of its corners on the picture, or type."}
       </p>
       <Segmented
         label="The frame"

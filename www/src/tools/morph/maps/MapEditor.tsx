@@ -26,6 +26,7 @@ import { rename, setMaps } from "./changes";
 import { FrameFold } from "./FrameFold";
 import { NumberFields, PartFields } from "./MapFields";
 import css from "./maps.module.css";
+import { removeChosen } from "./remove";
 import { Weights } from "./Weights";
 import { WholeShape } from "./WholeShape";
 
@@ -65,6 +66,10 @@ export function MapEditor({ target, chosen, whole }: MapEditorProps) {
     if (document.activeElement === document.body || side?.contains(document.activeElement))
       heading.current?.focus({ preventScroll: true });
     if (side) side.scrollTop = 0;
+    // What comes after the maps begins at its top, too.
+    return () => {
+      if (side) side.scrollTop = 0;
+    };
   }, []);
   return (
     <section class={css["editor"]} aria-label={`Maps of shape ${nameOf(target)}`}>
@@ -195,11 +200,18 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
       >
         Snap to corners, edges and angles (Alt: the other way)
       </Switch>
+      {maps.length === 1 && (
+        <p class="hint">The shape of one map is a single point. Add a map, and there is more to see.</p>
+      )}
       <MapList
         numbered
         maps={maps.map(mapWords)}
         open={chosen}
         onOpen={pick}
+        onRemove={(index) => {
+          pick(index);
+          removeChosen();
+        }}
         swatch={(index) => <Swatch map={index} colour={ranks[target].value[index]} />}
         fields={fields}
       />

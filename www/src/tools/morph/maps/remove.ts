@@ -1,9 +1,9 @@
 import { selection } from "#document/morph";
-import { announce, notify } from "#document/notice";
-import { edit, scene } from "#document/scene";
+import { notify } from "#document/notice";
+import { edit, scene, undo } from "#document/scene";
 import { setMaps } from "./changes";
 
-/** Takes away the map that is chosen; the one before it is chosen then. */
+/** Takes away the map that is chosen; none is chosen then, so that the same key takes away no other. */
 export function removeChosen(): void {
   const editing = selection.peek();
   if (!editing || editing.map === null || editing.whole) return;
@@ -20,6 +20,6 @@ export function removeChosen(): void {
       maps.filter((_, i) => i !== map),
     ),
   );
-  selection.value = { target, map: Math.max(0, map - 1) };
-  announce(`Map ${map + 1} is removed.`);
+  selection.value = { target, map: null };
+  notify({ kind: "info", text: `Map ${map + 1} is removed.`, action: { label: "Undo", run: undo } });
 }

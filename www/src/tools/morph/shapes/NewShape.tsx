@@ -6,14 +6,18 @@ import css from "./new-shape.module.css";
 /** Begins a shape with one to four copies of a square, which its maker then drags. */
 export function NewShape({ onChoose }: { onChoose: (count: BlankCount) => void }) {
   const first = useRef<HTMLButtonElement>(null);
+  const section = useRef<HTMLElement>(null);
   useEffect(() => {
+    // Under a finger the list begins at its top, and not at the shape that is there now.
+    if (matchMedia("(pointer: coarse)").matches)
+      requestAnimationFrame(() => section.current?.scrollIntoView({ block: "end" }));
     if (!forNew.peek()) return;
     forNew.value = false;
     // After the dialog has gone to the shape that is there now.
     requestAnimationFrame(() => first.current?.focus());
   }, []);
   return (
-    <section class={css["new-shape"]} aria-labelledby="new-shape-title">
+    <section ref={section} class={css["new-shape"]} aria-labelledby="new-shape-title">
       <h3 id="new-shape-title">New shape</h3>
       <ul>
         {BLANK_COUNTS.map((count) => (
