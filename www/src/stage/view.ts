@@ -57,7 +57,7 @@ export const outOfView: ReadonlySignal<boolean> = computed(() => {
   const { x, y, scale } = effectiveView.value;
   const { width, height } = sizeOr(stageSize.value);
   const [across, up] = [width / 2 / scale, height / 2 / scale];
-  return all.x0 < x - across || all.x1 > x + across || all.y0 < y - up || all.y1 > y + up;
+  return all.x0 < x - across || all.x1 > x + across || all.y0 < y - up + FOOT / scale || all.y1 > y + up;
 });
 
 /** How much larger than the fit the picture is shown: 1 is the fit. */

@@ -59,6 +59,8 @@ describe("the frame of a shape that is edited", () => {
     expect(frameAround([at(1, 1)])).toEqual({ x0: 1.875, y0: 1.875, x1: 2.125, y1: 2.125 });
     const line = frameAround([at(0, 0), at(2, 0)]);
     expect(line).toEqual({ x0: 0, y0: -0.5, x1: 4, y1: 0.5 });
+    // Bounds are a little wide, and no number of a frame is long for that.
+    expect(frameAround([at(-2e-5, 1 / 3), at(0.50002, 0)])).toEqual({ x0: 0, y0: 0, x1: 1, y1: 0.667 });
   });
 
   it("follows the shape where that is chosen, but not under a hand", () => {

@@ -37,8 +37,11 @@ export function frameAround(maps: MapRow[]): Box {
     const lacks = NARROWEST * size - (high - low);
     return lacks > 0 ? [low - lacks / 2, high + lacks / 2] : [low, high];
   };
-  const [left, right] = widen(x0, x1);
-  const [low, high] = widen(y0, y1);
+  // In short numbers, which are shown; the box is known to no more. Division gives the shortest digits.
+  const digits = 3 - Math.floor(Math.log10(size));
+  const round = (z: number) => (digits > 0 ? Math.round(z * 10 ** digits) / 10 ** digits : Math.round(z)) + 0;
+  const [left, right] = widen(x0, x1).map(round) as [number, number];
+  const [low, high] = widen(y0, y1).map(round) as [number, number];
   return { x0: left, y0: low, x1: right, y1: high };
 }
 
