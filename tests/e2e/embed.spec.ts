@@ -77,7 +77,7 @@ test("the picture fills the frame, however large and whatever its form", async (
     await page.goto(`${baseURL}embed.html#a=gasket&b=gasket&path=straight`);
     const picture = page.locator("canvas").first();
     await picture.waitFor();
-    const foot = page.getByRole("contentinfo");
+    const foot = page.locator("footer");
     // Above it is nothing, and below it the slider.
     await expect
       .poll(async () => {

@@ -57,12 +57,13 @@ export function PresetGallery({
       onClose={onClose}
       back={() => (end === "bent" ? null : CARDS[end].current)}
     >
-      {first}
+      {apart === null && first}
       {apart !== null && (
         <>
           {outlines}
           <h3 class={css["maps-heading"]}>Shapes of maps</h3>
           <p class="hint">{apart}</p>
+          {first}
         </>
       )}
       <OwnShapes
