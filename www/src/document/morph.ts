@@ -105,8 +105,12 @@ export const pathPoints: ReadonlySignal<Uv[]> = computed(() => pointsOf(path.val
 export const uv: ReadonlySignal<Uv> = computed(() => uvAt(pathPoints.value, t.value));
 
 /** The maps at any parameter; the first shape's where the morph is not defined. */
-export function mapsAt([u, v, w = 0]: Uv, options: MorphOptions = morphOptions.value): MapRow[] {
-  const { from, to } = pairing.value;
+export function mapsAt(at: Uv, options: MorphOptions = morphOptions.value): MapRow[] {
+  return mapsBetween(pairing.value, at, options);
+}
+
+/** The same of a pair that is given, whatever the document has become. */
+export function mapsBetween({ from, to }: Pairing, [u, v, w = 0]: Uv, options: MorphOptions): MapRow[] {
   const ends: [Ifs, Ifs] = [{ maps: from }, { maps: to }];
   try {
     return frond.interpolate(...ends, { ...options, u, v, w }).maps;

@@ -2,7 +2,7 @@
 import { computed, effect } from "@preact/signals";
 import { weighted } from "#geometry/maps/weighted";
 import type { Uv } from "#geometry/path";
-import type { MorphOptions } from "#wasm/api";
+import type { MorphOptions, Pairing } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { here, locusView, morphOptions, pairing, selection, uv } from "./morph";
 import { ownWeights } from "./own-weights";
@@ -13,8 +13,10 @@ const b = computed(() => scene.value.b);
 const t = computed(() => scene.value.t);
 const morphing = computed(() => (scene.value.tool ?? "morph") === "morph");
 
+type Shares = readonly number[][] | undefined;
+
 /** Those of the maps of both ends, brought to the same number; nothing where neither has any. */
-const shares = computed(() => {
+const shares = computed((): Shares => {
   const [from, to] = [a.value, b.value];
   if (!from.weights && !to.weights) return undefined;
   try {
@@ -25,10 +27,21 @@ const shares = computed(() => {
 });
 
 /** The weights at any parameter. */
-export function weightsAt([u, v]: Uv, options: MorphOptions = morphOptions.value): number[] | undefined {
-  const [p, q] = shares.value ?? [];
+export function weightsAt(at: Uv, options: MorphOptions = morphOptions.value): number[] | undefined {
+  return weightsBetween(pairing.value, shares.value, at, options);
+}
+
+/** The shares of both ends as they are now: what `weightsBetween` is given. */
+export const sharesNow = (): Shares => shares.peek();
+
+/** The weights of a pair that is given, whatever the document has become. */
+export function weightsBetween(
+  { from, to }: Pairing,
+  [p, q]: Shares = [],
+  [u, v]: Uv,
+  options: MorphOptions,
+): number[] | undefined {
   if (!p || !q) return undefined;
-  const { from, to } = pairing.value;
   return frond.interpolate(weighted(from, p), weighted(to, q), { ...options, u, v }).probabilities;
 }
 

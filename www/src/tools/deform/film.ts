@@ -22,6 +22,7 @@ import type { Drawer, FrameLook } from "#workers/film/subject";
 import { unbent } from "./facts";
 import { sway } from "./motion/MotionPanel";
 
+/** What stands there now is taken once: the document may change while the film is made. */
 export async function films(): Promise<Films> {
   if (unbent.peek()) throw new Error("A shape of several states is not bent: its morph can be filmed.");
   const bent = deformation.peek();
@@ -43,18 +44,21 @@ export async function films(): Promise<Films> {
   const maps = standing.peek();
   const photograph = pictureShown.peek();
   const s = curveTime.peek();
+  const curve = curved.peek();
+  const weights = shownWeights.peek();
+  const palettes = { light: pieceColours("light"), dark: pieceColours("dark") };
   const bendOf = (at: number) => bendAt(bent, Math.min(1, at / seconds));
 
   const drawer = (look: FrameLook, how?: { alone: boolean }): Drawer => {
     const alone = how?.alone ?? false;
     const view = frameView(box, look);
     if (photograph) return sheetDrawer(look, alone, { picture: photograph, parts: bent.parts, view }, bendOf);
-    if (curved.peek()) return curveDrawer(look, colouring, (at) => ({ s, bend: bendOf(at), view }));
+    if (curve) return curveDrawer(look, colouring, (at) => ({ s, bend: bendOf(at), view }));
     const lightGround = !isDark(look.ground);
-    const palette = pieceColours(lightGround ? "light" : "dark");
+    const palette = palettes[lightGround ? "light" : "dark"];
     return planeDrawer(look, alone, (at) => ({
       maps,
-      weights: shownWeights.peek(),
+      weights,
       options: { view, colouring, palette, lightGround, bend: bendOf(at) },
     }));
   };

@@ -9,12 +9,12 @@ import { photographs, photographsShown } from "#document/curve/photographs";
 import { bend } from "#document/deform/bend";
 import { directedShapes, directedWay } from "#document/directed/directed";
 import { pathTrack } from "#document/framing";
-import { mapsAt, morphOptions, pathPoints, shown, uvAt } from "#document/morph";
+import { mapsBetween, morphOptions, pairing, pathPoints, shown, uvAt } from "#document/morph";
 import { loop, speed } from "#document/playback";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
-import { weightsAt } from "#document/weights";
+import { sharesNow, weightsBetween } from "#document/weights";
 import { stepsSubject } from "#film/steps";
 import type { FilmSubject, Films } from "#film/subject";
 import { percent } from "#format/path-words";
@@ -28,11 +28,16 @@ import { nearColours } from "#stage/near-colours";
 import { NIGHT, PAPER } from "#style/colours";
 import { isDark } from "#style/ground";
 import { plainName } from "#ui/files/download";
+import type { Pairing } from "#wasm/api";
 import { planeDrawer } from "#workers/film/plane-drawer";
 import type { Drawer, FrameLook, Inset, Place } from "#workers/film/subject";
 
+/** What stands there now is taken once: the document may change while the film is made. */
 export async function films(): Promise<Films> {
   const { a, b, colouring } = scene.peek();
+  const pair = pairing.peek();
+  const shares = sharesNow();
+  const palettes = { light: pieceColours("light"), dark: pieceColours("dark") };
   const track = pathTrack.peek();
   const bent = bend.peek();
   const seconds = SECONDS / speed.peek();
@@ -58,17 +63,17 @@ export async function films(): Promise<Films> {
       return directedDrawer(look, way, colouring, (at) => ({ t: moment(at), view: view(moment(at)) }));
     }
     const lightGround = !isDark(look.ground);
-    const palette = pieceColours(lightGround ? "light" : "dark");
+    const palette = palettes[lightGround ? "light" : "dark"];
     return planeDrawer(look, how?.alone ?? false, (at) => {
       const t = moment(at);
       const here = uvAt(points, t);
-      const maps = mapsAt(here, options);
+      const maps = mapsBetween(pair, here, options);
       const seen = view(t);
       // A bend keeps near what is near.
       const colours = nearColours(maps, palette, boxAt(track, t), seen.scale);
       return {
         maps,
-        weights: weightsAt(here, options),
+        weights: weightsBetween(pair, shares, here, options),
         options: { view: seen, colouring, palette: colours, lightGround, ...(bent ? { bend: bent } : {}) },
       };
     });
@@ -96,7 +101,7 @@ export async function films(): Promise<Films> {
       const words = curve ? "one closed curve" : known ? verdictPhrase(known) : null;
       return words === null ? percent(t) : `${percent(t)}, ${words}`;
     },
-    ...(instead ? {} : insetOf(points, moment)),
+    ...(instead ? {} : insetOf(pair, points, moment)),
     drawer,
   };
   const steps = instead ? null : stepsSubject(shown.peek(), plainName(nearer(), "shape", 24), ground);
@@ -107,7 +112,7 @@ export async function films(): Promise<Films> {
 const INSET = 512;
 
 /** The map of parameters with the path. Where a path leaves the plane that it shows there is none. */
-function insetOf(points: readonly Uv[], moment: (at: number) => number): { inset?: Inset } {
+function insetOf(pair: Pairing, points: readonly Uv[], moment: (at: number) => number): { inset?: Inset } {
   if (points.some(([, , w = 0]) => w !== 0)) return {};
   const field = locus.peek();
   if (!field) return {};
@@ -117,7 +122,8 @@ function insetOf(points: readonly Uv[], moment: (at: number) => number): { inset
     inset: {
       map: () => ({
         size: INSET,
-        pixels: paint(locus.peek() ?? field, INSET, { style: "gap" }),
+        // More of the map may be known by now, but not if it is that of other shapes.
+        pixels: paint((pairing.peek() === pair && locus.peek()) || field, INSET, { style: "gap" }),
         way: points.map(place),
       }),
       at: (at) => place(uvAt(points, moment(at))),
