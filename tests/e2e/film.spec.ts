@@ -119,9 +119,13 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   await dialog.getByRole("button", { name: "Make another" }).click();
   await dialog.getByRole("radio", { name: "The morph" }).check({ force: true });
   await dialog.getByRole("combobox", { name: "Size" }).selectOption("full");
-  await dialog.getByRole("button", { name: "Make the film" }).click();
-  await dialog.getByRole("button", { name: "Cancel" }).click();
-  await expect(dialog.getByRole("button", { name: "Make the film" })).toBeVisible();
+  // By keys alone: the focus goes from one button to that which takes its place.
+  const begin = dialog.getByRole("button", { name: "Make the film" });
+  await begin.press("Enter");
+  const end = dialog.getByRole("button", { name: "Cancel" });
+  await expect(end).toBeFocused();
+  await end.press("Enter");
+  await expect(begin).toBeFocused();
 
   // It goes on while the dialog is closed, in another tool and among the figures; there it is ended, too.
   await dialog.getByRole("button", { name: "Make the film" }).click();
@@ -130,8 +134,14 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   const chip = page.getByRole("region", { name: "The film in the making" });
   await expect(chip.getByRole("progressbar", { name: "Frames made" })).toBeVisible();
   await expectClean(page);
+  // The chip is away while its dialog is open, and has the focus when it is back.
+  const watch = chip.getByRole("button", { name: /^Film \d+%$/ });
+  await watch.press("Enter");
+  await expect(chip).toHaveCount(0);
+  await page.keyboard.press("Escape");
+  await expect(watch).toBeFocused();
   await page.getByRole("link", { name: "Figures" }).click();
-  await chip.getByRole("button", { name: /^Film \d+%$/ }).click();
+  await watch.click();
   await expect(dialog.getByRole("button", { name: "Cancel" })).toBeVisible();
   await page.keyboard.press("Escape");
   await chip.getByRole("button", { name: "Cancel the film" }).click();

@@ -1,9 +1,10 @@
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { Button } from "#ui/controls/Button";
 import { Dialog } from "#ui/overlay/Dialog";
 import { Finished } from "./Finished";
 import css from "./film.module.css";
+import { besideChip, headingIfLost } from "./focus";
 import { job, made } from "./job";
 import { exportOpen } from "./open";
 import { isFilm } from "./plan";
@@ -22,7 +23,7 @@ const close = () => {
  */
 export function FilmDialog({ films }: { films: (() => Promise<Films>) | undefined }) {
   return (
-    <Dialog title="Export" about={about()} onClose={close} wide>
+    <Dialog title="Export" about={about()} onClose={close} back={besideChip} wide>
       {job.value ? (
         <Running job={job.value} />
       ) : made.value ? (
@@ -30,11 +31,18 @@ export function FilmDialog({ films }: { films: (() => Promise<Films>) | undefine
       ) : films ? (
         <Choose films={films} />
       ) : (
-        <p class={css["export-nothing"]}>
-          There is nothing to film here. Open Morph, Deform or Space, and make the film there.
-        </p>
+        <Without />
       )}
     </Dialog>
+  );
+}
+
+function Without() {
+  useLayoutEffect(headingIfLost, []);
+  return (
+    <p class={css["export-nothing"]}>
+      There is nothing to film here. Open Morph, Deform or Space, and make the film there.
+    </p>
   );
 }
 
@@ -57,6 +65,9 @@ function Choose({ films }: { films: () => Promise<Films> }) {
       (problem) => setFound({ problem: wordsOf(problem) }),
     );
   }, [films]);
+  useLayoutEffect(() => {
+    if (found) headingIfLost();
+  }, [found]);
   if (!found) return <p class={css["export-nothing"]}>Getting ready …</p>;
   if ("problem" in found) return <p class={css["export-problem"]}>{found.problem}</p>;
   if (subject.value) return <Settings of={subject.value} />;

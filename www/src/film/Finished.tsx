@@ -1,10 +1,14 @@
+import { useRef } from "preact/hooks";
 import { Button } from "#ui/controls/Button";
 import css from "./film.module.css";
+import { useFocusIfLost } from "./focus";
 import { forget, type Made, save } from "./job";
 import { bytesWords, grouped, isVideo } from "./plan";
 
 /** What was made, to look at and to save once more. */
 export function Finished({ made }: { made: Made }) {
+  const again = useRef<HTMLButtonElement>(null);
+  useFocusIfLost(again);
   const { plan, name, blob, url, frames, missing } = made;
   const ratio = {
     aspectRatio: String(plan.width / plan.height),
@@ -44,7 +48,7 @@ export function Finished({ made }: { made: Made }) {
         <Button kind="quiet" onClick={forget}>
           Make another
         </Button>
-        <Button icon="save" onClick={() => save(made)}>
+        <Button icon="save" buttonRef={again} onClick={() => save(made)}>
           Save again
         </Button>
       </footer>

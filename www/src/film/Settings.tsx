@@ -1,4 +1,4 @@
-import { useEffect, useMemo } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 import { formatNumber } from "#format/numbers";
 import { type Easing, MOST_HOLD } from "#geometry/pace";
 import { Button } from "#ui/controls/Button";
@@ -9,6 +9,7 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Repeat } from "#wasm/api";
 import { secondsFor, usePreview } from "./estimate";
 import css from "./film.module.css";
+import { useFocusIfLost } from "./focus";
 import { Ground } from "./Ground";
 import { make } from "./job";
 import { Picture } from "./Preview";
@@ -101,6 +102,8 @@ const DITHERS = [
 
 /** What is chosen of a subject, and the first frame beside it. */
 export function Settings({ of: subject }: { of: FilmSubject }) {
+  const button = useRef<HTMLButtonElement>(null);
+  useFocusIfLost(button);
   const now = plan.value;
   const { width, height, fps } = now;
   // biome-ignore lint/correctness/useExhaustiveDependencies: what can be written depends on the size
@@ -147,6 +150,7 @@ export function Settings({ of: subject }: { of: FilmSubject }) {
         <Button
           kind="primary"
           icon="save"
+          buttonRef={button}
           disabled={problem !== null}
           onClick={() => void make(subject, now)}
         >
