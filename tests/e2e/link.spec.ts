@@ -35,9 +35,9 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   await page.getByRole("button", { name: "Share", exact: true }).click();
   const sheet = page.getByRole("dialog", { name: "Share" });
   // Nothing is copied before it is asked for.
-  await expect(sheet.getByText("Copied.", { exact: true })).toHaveCount(0);
+  await expect(sheet.getByText("Link copied.")).toHaveCount(0);
   await sheet.getByRole("button", { name: "Copy", exact: true }).click();
-  await expect(sheet.getByText("Copied.", { exact: true })).toBeVisible();
+  await expect(sheet.getByText("Link copied.")).toBeVisible();
   const shared = await page.evaluate(() => navigator.clipboard.readText());
   const mine = [await studio.scene(), await studio.look()];
   // As it stands; but whoever opens it sees it move once.
@@ -47,8 +47,22 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   await sheet.getByRole("radio", { name: "At the beginning" }).check({ force: true });
   await sheet.getByRole("radio", { name: "Plays on" }).check({ force: true });
   await sheet.getByRole("button", { name: "Copy", exact: true }).click();
-  await expect(sheet.getByText("Copied.", { exact: true })).toBeVisible();
+  await expect(sheet.getByText("Link copied.")).toBeVisible();
   const playing = await page.evaluate(() => navigator.clipboard.readText());
+  // What is copied for a page is told by its own buttons, and nothing moves for it.
+  const embed = sheet.getByRole("button", { name: "Copy embed code" });
+  const height = async () => (await sheet.getByRole("status").last().boundingBox())?.height;
+  const before = await height();
+  await embed.click();
+  const told = sheet.getByRole("status").filter({ hasText: "Embed code copied." });
+  await expect(told).toBeVisible();
+  await expect(sheet.getByText("Link copied.")).toHaveCount(0);
+  expect(await height()).toBe(before);
+  const [button, words] = [await embed.boundingBox(), await told.boundingBox()];
+  expect((words?.y ?? Infinity) - (button?.y ?? 0)).toBeLessThan(100);
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/^<iframe src=/);
+  await sheet.getByRole("button", { name: "Copy element" }).click();
+  await expect(sheet.getByText("Element copied.")).toBeVisible();
   // Or it becomes a folder for any host, which draws by itself.
   await sheet.getByRole("button", { name: "Publish" }).click();
   const publish = page.getByRole("dialog", { name: "Publish" });

@@ -55,7 +55,7 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
   const [start, setStart] = useState<(typeof STARTS)[number]["value"]>("here");
   const [moves, setMoves] = useState<Moves>(openedTool().tool?.timeline ? "once" : "still");
   const [ground, setGround] = useState<Grounds>("page");
-  const [told, setTold] = useState("");
+  const [told, setTold] = useState<Told | null>(null);
   const [seen, setSeen] = useState("");
   // Once it stands, the address is read again.
   const [, setStood] = useState(false);
@@ -89,12 +89,12 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
             value={address}
             onFocus={(event) => event.currentTarget.select()}
           />
-          <Button kind="primary" icon="copy" onClick={() => void copy(address).then(setTold)}>
+          <Button kind="primary" icon="copy" onClick={() => void copy("Link", address).then(setTold)}>
             Copy
           </Button>
         </div>
-        <p class="hint" role="status">
-          {told}
+        <p class={`hint ${css["share-told"]}`} role="status">
+          {told && !isForPages(told.of) && told.words}
         </p>
         {openedTool().tool?.timeline && (
           <>
@@ -138,14 +138,14 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
           <Button
             icon="copy"
             description="A frame for a page, a blog or a slide: the picture and a slider"
-            onClick={() => void copy(frameOf(address)).then(setTold)}
+            onClick={() => void copy("Embed code", frameOf(address)).then(setTold)}
           >
             Copy embed code
           </Button>
           <Button
             icon="copy"
             description="Two lines for a page of one's own: a script, and the element that shows this"
-            onClick={() => void copy(elementOf(address, moves)).then(setTold)}
+            onClick={() => void copy("Element", elementOf(address, moves)).then(setTold)}
           >
             Copy element
           </Button>
@@ -163,13 +163,25 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
             More ways …
           </a>
         </div>
+        <p class={`hint ${css["share-told"]}`} role="status">
+          {told && isForPages(told.of) && told.words}
+        </p>
       </div>
     </Dialog>
   );
 }
 
-const COPIED = "Copied.";
-const CHANGED = "The link has changed: copy it again.";
+type Copied = "Link" | "Embed code" | "Element";
+
+/** What came of copying, in words: they stand by the buttons of what was copied. */
+interface Told {
+  of: Copied;
+  words: string;
+}
+
+const isForPages = (of: Copied) => of !== "Link";
+
+const CHANGED: Told = { of: "Link", words: "The link has changed: copy it again." };
 
 /** What is the same for all who open the link: the background belongs to a picture of space, and else to the page. */
 async function seenWords(same: boolean): Promise<string> {
@@ -222,13 +234,15 @@ export function elementOf(address: string, moves: Moves): string {
   return `<script src="${escaped(script)}"></script>\n<frond-view src="${escaped(address)}"${theme ? ` theme="${theme}"` : ""} style="max-width:640px;aspect-ratio:640/400" controls${AUTOPLAY[moves]}></frond-view>`;
 }
 
-/** What came of it, in words. */
-async function copy(address: string): Promise<string> {
+async function copy(of: Copied, text: string): Promise<Told> {
   try {
-    await navigator.clipboard.writeText(address);
-    return COPIED;
+    await navigator.clipboard.writeText(text);
+    return { of, words: `${of} copied.` };
   } catch {
-    return "Copying was not allowed here: choose the link, and copy it yourself.";
+    const instead = isForPages(of)
+      ? "allow this page to use the clipboard, then press again."
+      : "choose the link, and copy it yourself.";
+    return { of, words: `Copying was not allowed here: ${instead}` };
   }
 }
 
