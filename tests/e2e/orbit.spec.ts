@@ -159,6 +159,7 @@ test("what cannot be followed or played is said, with what to do", async ({ stud
 
 test("the link of the lesson has its target, which is reached by keys and by a press", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.goto("./#learn/e31/target=13");
   const picture = page.getByRole("region", { name: "The picture" });
   const told = picture.getByTestId("orbit-game");
@@ -170,6 +171,16 @@ test("the link of the lesson has its target, which is reached by keys and by a p
   await expect(told).toHaveText(
     "Well done: reached in 2 throws, and fewer do not get there. The cell has the address 1 3. Compare it with your throws.",
   );
+  // What is copied holds the target, hidden, and none of the throws.
+  await page.getByRole("button", { name: "Copy a link", exact: true }).click();
+  await expect(page.getByText(/^Link copied\./)).toBeVisible();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  expect(copied).toMatch(/#learn\/e31\/target=[a-z]{2}$/);
+  await page.goto("about:blank");
+  await page.goto(copied);
+  await expect(told).toHaveText("No throw yet.");
+  await picture.getByRole("button", { name: "Show a way" }).click();
+  await expect(told).toHaveText("One way: 3, then 1. Read backwards, that is the address of the cell: 1 3.");
   await picture.getByRole("button", { name: "Start again" }).click();
   const box = await picture.getByRole("img").boundingBox();
   if (!box) throw new Error("no picture");

@@ -1,9 +1,9 @@
 /** The board of the game: the gasket, its triangle, and a point in the middle, which is in no piece. */
 import { pointAt } from "#geometry/maps/orbit";
-import type { Board } from "#geometry/maps/target";
+import { type Board, DEEPEST } from "#geometry/maps/target";
 import { gasket, HEIGHT } from "../../kit/maps/families";
 import type { Point } from "../../kit/maps/pieces";
-import { text } from "../../kit/state/fields";
+import { type Field, text } from "../../kit/state/fields";
 
 export const MAPS = gasket(0.5);
 export const BOX = { x0: 0, y0: 0, x1: 1, y1: HEIGHT };
@@ -18,6 +18,44 @@ export const BOARD: Board = { maps: MAPS, hull: TRIANGLE, start: [0.5, HEIGHT / 
 export const letters = (least: number, most: number) => text(new RegExp(`[123]{${least},${most}}`));
 export const lettersOf = (written: string): number[] => [...written].map((digit) => Number(digit) - 1);
 export const writtenAs = (all: readonly number[]): string => all.map((letter) => letter + 1).join("");
+
+/**
+ * The target as it stands in links: two consonants for its place among all cells, so that nobody reads the answer off
+ * them at a glance. First links had its letters, "213", and open for ever.
+ */
+export const HIDDEN: Field<string> = {
+  write(target) {
+    const code = (placeOf(target) * STRIDE) % CODES;
+    return `${MARKS[Math.floor(code / MARKS.length)]}${MARKS[code % MARKS.length]}`;
+  },
+  read(written) {
+    const plain = letters(1, DEEPEST).read(written);
+    if (plain !== null) return plain;
+    const [high, low] = [...written].map((mark) => MARKS.indexOf(mark));
+    if (written.length !== 2 || high === undefined || low === undefined || high < 0 || low < 0) return null;
+    const code = MARKS.length * high + low;
+    if (code >= CODES) return null;
+    return targetAt((code * BACK) % CODES);
+  },
+};
+
+const MARKS = "bcdfghjklmnpqrstvwxz";
+/** A prime above the number of all cells, 363; a factor that scatters them, and its inverse: 141 · 177 = 68 · 367 + 1. */
+const CODES = 367;
+const STRIDE = 141;
+const BACK = 177;
+
+/** Counted from 1, the shortest first: in base 3 with the digits 1 to 3. */
+const placeOf = (target: string): number =>
+  [...target].reduce((place, digit) => 3 * place + Number(digit), 0);
+
+/** Null where there is no such cell. */
+function targetAt(place: number): string | null {
+  let target = "";
+  for (let left = place; left > 0; left = Math.floor((left - 1) / 3))
+    target = `${((left - 1) % 3) + 1}${target}`;
+  return target === "" || target.length > DEEPEST ? null : target;
+}
 
 /** What is to be reached in the first exercise, and with how many throws. */
 export const WANTED = "3121";

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useContext, useMemo, useState } from "preact/hooks";
 import { DEEPEST, newTarget } from "#geometry/maps/target";
 import { gameOf } from "#ui/orbit/game";
 import { orbitKey } from "#ui/orbit/keys";
@@ -8,13 +8,14 @@ import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
-import { useKept } from "../../kit/state/kept";
+import { Page as Opened, useAfresh, useKept } from "../../kit/state/kept";
 import { ChoiceQuestion } from "../frame/choice-question";
 import { Lesson } from "../frame/lesson";
 import { type Prediction, useChoice } from "../frame/prediction";
-import { BOARD, letters, lettersOf, MAPS, writtenAs } from "./cells";
+import { BOARD, HIDDEN, letters, lettersOf, MAPS, writtenAs } from "./cells";
 import { Exercises } from "./exercises";
 import { Field, useColours } from "./field";
+import css from "./field.module.css";
 import { TEACHING } from "./teaching";
 
 /** A game of throws that are chosen. */
@@ -31,7 +32,8 @@ export function Page(heading: Heading) {
           </p>
           <p>
             Press a number, its key, or a piece of the picture. The point jumps half of the way to that
-            corner. The link of this page holds the target: send it, and others play for the same cell.
+            corner. Others can play for the same cell: “Copy a link” at the top of this page copies a link
+            with the target, and without your throws.
           </p>
         </>
       }
@@ -54,7 +56,7 @@ export function Page(heading: Heading) {
           schools.
         </p>
       }
-      studio={{ href: studioHref({ a: preset("gasket"), b: preset("koch") }) }}
+      studio={{ href: studioHref({ a: preset("gasket"), b: preset("gasket") }) }}
     >
       <Play />
     </Lesson>
@@ -64,8 +66,14 @@ export function Page(heading: Heading) {
 const FIRST = "213";
 
 function Play() {
-  const [target, setTarget] = useKept("target", FIRST, letters(1, DEEPEST));
-  const [thrown, setThrown] = useKept("throws", "", letters(0, MOST_THROWS));
+  const [target, setTarget] = useKept("target", FIRST, HIDDEN);
+  const page = useContext(Opened);
+  // First links held the throws as well. Now they do not, so that whoever is sent one begins at the start.
+  const [thrown, setThrown] = useAfresh(
+    "throws",
+    () => page.opened("throws", letters(0, MOST_THROWS)) ?? "",
+    "",
+  );
   const [shown, setShown] = useState(false);
   const throws = useMemo(() => lettersOf(thrown), [thrown]);
   const game = useMemo(
@@ -104,18 +112,20 @@ function Play() {
         throws={throws}
         onPick={throwTo}
       />
-      <TargetControls
-        game={game}
-        letters={throws}
-        maps={MAPS.length}
-        colours={useColours()}
-        deepest={DEEPEST}
-        onThrow={throwTo}
-        onBack={() => set(thrown.slice(0, -1))}
-        onAgain={() => set("")}
-        onNew={begin}
-        onShow={() => set(writtenAs(game.way), true)}
-      />
+      <div class={css["throws"]}>
+        <TargetControls
+          game={game}
+          letters={throws}
+          maps={MAPS.length}
+          colours={useColours()}
+          deepest={DEEPEST}
+          onThrow={throwTo}
+          onBack={() => set(thrown.slice(0, -1))}
+          onAgain={() => set("")}
+          onNew={begin}
+          onShow={() => set(writtenAs(game.way), true)}
+        />
+      </div>
     </div>
   );
 }

@@ -23,7 +23,8 @@ export const TEACHING: Teaching = {
     },
     {
       ask: "How do you give the same target to a whole class?",
-      answer: "Choose it, start again, and copy the link of the page: the target stands in it.",
+      answer:
+        "Choose it, and press “Copy a link” at the top of the page. The link holds the target in letters that do not tell the answer, and none of your throws.",
     },
   ],
   answer:
