@@ -32,8 +32,8 @@ export function Page(heading: Heading) {
           </p>
           <p>
             Press a number, its key, or a piece of the picture. The point jumps half of the way to that
-            corner. Others can play for the same cell: “Copy a link” at the top of this page copies a link
-            with the target, and without your throws.
+            corner. To let others play for the same cell, press the link symbol at the top of this page: it
+            copies a link with the target and without your throws.
           </p>
         </>
       }

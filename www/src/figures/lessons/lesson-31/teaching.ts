@@ -24,7 +24,7 @@ export const TEACHING: Teaching = {
     {
       ask: "How do you give the same target to a whole class?",
       answer:
-        "Choose it, and press “Copy a link” at the top of the page. The link holds the target in letters that do not tell the answer, and none of your throws.",
+        "Choose it, and press the link symbol at the top of the page. The copied link holds the target, in letters that do not show the answer, and none of your throws.",
     },
   ],
   answer:
