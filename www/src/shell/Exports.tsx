@@ -4,7 +4,7 @@
  */
 import { FilmDialog } from "#film/FilmDialog";
 import { exportOpen } from "#film/open";
-import { PictureDialog } from "#film/PictureDialog";
+import { PictureDialog } from "#film/picture/PictureDialog";
 import { link } from "./actions";
 import { Recent } from "./kept/Recent";
 import { printable } from "./print/print";

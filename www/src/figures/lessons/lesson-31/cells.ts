@@ -40,7 +40,7 @@ export const HIDDEN: Field<string> = {
 };
 
 const MARKS = "bcdfghjklmnpqrstvwxz";
-/** A prime above the number of all cells, 363; a factor that scatters them, and its inverse: 141 · 177 = 68 · 367 + 1. */
+/** A prime above the number of cells, 363; a factor that scatters them, and its inverse: 141 · 177 = 68 · 367 + 1. */
 const CODES = 367;
 const STRIDE = 141;
 const BACK = 177;

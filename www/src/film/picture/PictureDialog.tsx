@@ -9,17 +9,17 @@ import { download } from "#ui/files/download";
 import { Dialog } from "#ui/overlay/Dialog";
 import "#ui/panel/progress.css";
 import { makePicture } from "#workers/film/picture";
-import { usePreview } from "./estimate";
-import css from "./film.module.css";
-import { Ground } from "./Ground";
-import { exportOpen } from "./open";
-import { Picture } from "./Preview";
-import { MOST_PICTURE_SIDE, type PicturePlan, pictureProblem, pictureWords } from "./picture-plan";
-import { LEAST_SIDE } from "./plan";
-import { SeedField } from "./SeedField";
-import { type NamedSize, SizeFields } from "./SizeFields";
-import { begun } from "./settings";
-import type { Still } from "./subject";
+import { usePreview } from "../estimate";
+import css from "../film.module.css";
+import { Ground } from "../Ground";
+import { exportOpen } from "../open";
+import { Picture } from "../Preview";
+import { LEAST_SIDE } from "../plan";
+import { SeedField } from "../SeedField";
+import { type NamedSize, SizeFields } from "../SizeFields";
+import { begun } from "../settings";
+import type { Still } from "../subject";
+import { MOST_PICTURE_SIDE, type PicturePlan, pictureProblem, pictureWords } from "./plan";
 
 const LONG_SIDE = 2400;
 /** Fewer cores would be at it for long. */

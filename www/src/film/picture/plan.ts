@@ -1,5 +1,5 @@
 /** What a picture is to be saved as. Pure, for the tests. */
-import { bytesWords, LEAST_SIDE } from "./plan";
+import { bytesWords, LEAST_SIDE } from "../plan";
 
 export interface PicturePlan {
   width: number;

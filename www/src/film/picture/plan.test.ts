@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { type PicturePlan, pictureProblem } from "./picture-plan";
+import { type PicturePlan, pictureProblem } from "./plan";
 
 const plan: PicturePlan = { width: 8192, height: 8192, ground: null, clear: true, link: true, smooth: false };
 
