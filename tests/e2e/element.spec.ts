@@ -5,7 +5,8 @@ import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 
 interface View extends HTMLElement {
-  t: number;
+  get t(): number;
+  set t(moment: number | string);
   playing: boolean;
   maps(): number[][];
   toPNG(options: { width: number }): Promise<Blob>;
@@ -117,6 +118,14 @@ test("a plain page shows morphs in a few lines, and leaves nothing behind", asyn
     (window as unknown as Host).view("far").t = 0.5;
   });
   expect(await moment()).toBe(0.5);
+  // As React, Vue and Svelte write what stands in an attribute.
+  await page.evaluate(() => {
+    (window as unknown as Host).view("far").t = "0.4";
+  });
+  expect(await moment()).toBe(0.4);
+  await page.evaluate(() => {
+    (window as unknown as Host).view("far").t = 0.5;
+  });
   await page.locator("#far").scrollIntoViewIfNeeded();
   await expect.poll(() => lit("far")).toBeGreaterThan(500);
   expect(await moment()).toBe(0.5);

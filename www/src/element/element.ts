@@ -126,8 +126,9 @@ export class FrondView extends HTMLElement {
     return this.#shown?.t ?? this.#sought ?? this.#moment() ?? 0;
   }
 
-  set t(moment: number) {
-    this.seek(moment);
+  /** As text, too: React, Vue and Svelte write what stands in an attribute into the property. */
+  set t(moment: number | string) {
+    this.#guard(() => this.seek(typeof moment === "string" ? (momentOf(moment) ?? 0) : moment));
   }
 
   get playing(): boolean {

@@ -19,8 +19,9 @@ export interface Trouble {
  * Events: `ready` { t }, `change` { t, playing }, `verdict` (`Told`), `error` (`Trouble`).
  */
 export interface FrondView extends HTMLElement {
-  /** The moment, 0 to 1. */
-  t: number;
+  /** The moment, 0 to 1. It is set as a number or as text, as frameworks do with what stands in an attribute. */
+  get t(): number;
+  set t(moment: number | string);
   readonly playing: boolean;
   src: string | null;
   /** To a moment, 0 to 1; what plays stops. */
