@@ -126,7 +126,7 @@ test.describe(() => {
     await expect(page.getByRole("row")).toHaveCount(0);
     await page.reload();
     await expect(page.getByText("This link holds the answers of Cem")).toBeVisible();
-    await page.getByRole("button", { name: "Begin a table with them" }).click();
+    await page.getByRole("button", { name: "For teachers: begin a table with them" }).click();
     await expect(status.getByText("Cem added")).toBeVisible();
   });
 

@@ -11,6 +11,9 @@ export function cameFrom(state: string | null): void {
   }
 }
 
+/** Whether that sheet hides for now what is right: so do the lessons that it led to, by whatever way. */
+export const sheetHides = (): boolean => /[/&]hide=1(?=&|$)/.test(sheetBehind() ?? "");
+
 /** Where the sheet is; null where this tab has seen none. */
 export function sheetBehind(): string | null {
   try {

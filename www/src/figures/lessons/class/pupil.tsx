@@ -143,11 +143,14 @@ function Filled({ sheet, whole, state }: FilledProps) {
                     done
                   </label>
                 ) : (
-                  <span class={isDone(key) ? marksCss["done"] : css["open"]}>
-                    {isDone(key) && <Icon name="check" size={16} />}
-                    {isDone(key)
-                      ? "the lesson’s question is answered"
-                      : "the lesson’s question is still open"}
+                  // A tick beside a guess would say that it is right.
+                  <span class={isDone(key) && !sheet.hide ? marksCss["done"] : css["open"]}>
+                    {isDone(key) && !sheet.hide && <Icon name="check" size={16} />}
+                    {!isDone(key)
+                      ? "the lesson’s question is still open"
+                      : sheet.hide
+                        ? "your guess is kept"
+                        : "the lesson’s question is answered"}
                     {count > 0 && `, ${count} exercise${count === 1 ? "" : "s"} solved`}
                   </span>
                 )}

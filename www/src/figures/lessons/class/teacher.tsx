@@ -228,6 +228,8 @@ function Tasks({ sheet, onChange }: TasksProps) {
     const next = moved(sheet, key, by);
     onChange(next);
     setSaid(`${name} is number ${itemsOf(next).indexOf(key) + 1} of ${items.length}.`);
+    // The button that was pressed goes along, and stays in sight.
+    requestAnimationFrame(() => document.activeElement?.scrollIntoView({ block: "nearest" }));
   };
   return (
     <fieldset class={css["part"]}>

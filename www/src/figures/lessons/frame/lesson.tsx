@@ -1,5 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { useContext, useEffect, useRef, useState } from "preact/hooks";
+import { sheetHides } from "#document/kept/sheet";
 import { Button } from "#ui/controls/Button";
 import { Menu } from "#ui/overlay/Menu";
 import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/frame";
@@ -40,7 +41,8 @@ interface LessonProps extends Heading {
 /** What every lesson has around its pictures. Nothing of it was printed in a paper. */
 export function Lesson(props: LessonProps) {
   useEffect(printHandouts, []);
-  const [hidden] = useKept("hide", false, flag);
+  const [asked] = useKept("hide", false, flag);
+  const hidden = asked || sheetHides();
   return (
     <LessonId.Provider value={props.id}>
       <Hidden.Provider value={hidden}>
@@ -184,7 +186,10 @@ export function Question(props: QuestionProps) {
       >
         {beside !== undefined && <div class={layout["panel"]}>{beside}</div>}
         <div class={css["ask"]}>
-          {children}
+          {/* What was kept is what is handed in. */}
+          <fieldset class={css["asked"]} disabled={hidden && !shown && kept !== ""}>
+            {children}
+          </fieldset>
           <Room lines={beside === undefined ? 4 : 2} most={7} />
           <div class={`${layout["buttons"]} ${css["look"]}`}>
             {hidden && !shown ? (
@@ -197,7 +202,7 @@ export function Question(props: QuestionProps) {
                     ? `Your guess is kept: ${kept}. Your teacher shows later what is right.`
                     : said
                       ? ""
-                      : "Make a guess, then keep it."}
+                      : "Make a guess, then keep it. It cannot be changed later."}
                 </p>
               </>
             ) : (

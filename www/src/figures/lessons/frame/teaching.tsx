@@ -102,12 +102,17 @@ export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
             </ul>
           </>
         )}
-        <h3>Common mistakes</h3>
-        <ul>
-          {mistakes.map((mistake) => (
-            <li key={mistake}>{mistake}</li>
-          ))}
-        </ul>
+        {/* They say of an option why it is wrong. */}
+        {(answers || !hidden) && (
+          <>
+            <h3>Common mistakes</h3>
+            <ul>
+              {mistakes.map((mistake) => (
+                <li key={mistake}>{mistake}</li>
+              ))}
+            </ul>
+          </>
+        )}
         <h3>Questions for the class</h3>
         <ol>
           {questions.map(({ ask, answer }) => (

@@ -43,7 +43,7 @@ export async function bring(files: readonly File[], onStep: (done: number) => vo
         all.more ||= more;
       }
       if (all.found.length === before)
-        all.unread.push({ file: file.name, why: whyNone(texts, reader !== null) });
+        all.unread.push({ file: file.name, why: whyNone(texts, isPicture(file)) });
     }
   } finally {
     reader?.close();
@@ -54,8 +54,8 @@ export async function bring(files: readonly File[], onStep: (done: number) => vo
 function whyNone(texts: readonly string[], picture: boolean): string {
   const [first = ""] = texts;
   if (!picture || first.trimStart().startsWith("{")) {
-    const why = read(first);
-    return typeof why === "string" ? why : "There are no answers in it.";
+    const why = first.trimStart().startsWith("{") ? read(first) : null;
+    return typeof why === "string" ? why : "There are no answers in this file.";
   }
   return otherCode(first);
 }

@@ -156,11 +156,12 @@ function Alone({ answers, added, onAdd }: { answers: Answers; added: boolean; on
   return (
     <div class={css["part"]}>
       <p>
-        This link holds the answers of {name} to {called(title)}. No table of that sheet is in this browser.
+        This link holds the answers of {name} to {called(title)}. If they are yours, send the link to your
+        teacher. No table of that sheet is in this browser: what is right is shown once there is one.
       </p>
-      <Table all={[answers]} />
+      <Table all={[answers]} untold />
       <div class={layout["buttons"]}>
-        <Button onClick={onAdd}>Begin a table with them</Button>
+        <Button onClick={onAdd}>For teachers: begin a table with them</Button>
       </div>
     </div>
   );

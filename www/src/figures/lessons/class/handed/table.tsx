@@ -4,8 +4,14 @@ import { type Answer, type Answers, askedOf } from "../answers";
 import css from "../class.module.css";
 import { nameOf } from "../names";
 
+interface TableProps {
+  all: readonly Answers[];
+  /** Whether what is right is not told: whoever reads it may be a pupil. */
+  untold?: boolean;
+}
+
 /** Who did what: a row a pupil. */
-export function Table({ all }: { all: readonly Answers[] }) {
+export function Table({ all, untold = false }: TableProps) {
   const asked = askedOf(all);
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls is reached by keys
@@ -27,7 +33,7 @@ export function Table({ all }: { all: readonly Answers[] }) {
               <th scope="row">{name}</th>
               {asked.map((item) => (
                 <td key={item}>
-                  <Cell answer={items.find((one) => one.item === item)} />
+                  <Cell answer={items.find((one) => one.item === item)} untold={untold} />
                 </td>
               ))}
             </tr>
@@ -42,12 +48,12 @@ export function Table({ all }: { all: readonly Answers[] }) {
 export const calledOn = (all: readonly Answers[], item: string): string =>
   all.flatMap(({ items }) => items.find((one) => one.item === item)?.name ?? [])[0] ?? nameOf(item);
 
-function Cell({ answer }: { answer: Answer | undefined }) {
+function Cell({ answer, untold }: { answer: Answer | undefined; untold: boolean }) {
   if (!answer) return <span class={css["open"]}>not asked</span>;
   const { exercises, answer: words } = answer;
   return (
     <>
-      <State answer={answer} />
+      <State answer={answer} untold={untold} />
       {exercises.length > 0 && <p class={css["open"]}>solved: {exercises.join(", ")}</p>}
       {words !== "" && <p>{words}</p>}
     </>
@@ -55,11 +61,17 @@ function Cell({ answer }: { answer: Answer | undefined }) {
 }
 
 /** Right or wrong, where that is known; else only whether it was done. */
-function State({ answer: { item, done, guess, right, truth, answer } }: { answer: Answer }) {
+function State({
+  answer: { item, done, guess, right, truth, answer },
+  untold,
+}: {
+  answer: Answer;
+  untold: boolean;
+}) {
   const open = item.includes(":") ? "" : "question still open";
   if (!done) return <span class={css["open"]}>{answer === "" ? "not yet" : open}</span>;
   if (item.includes(":")) return <span class={marksCss["done"]}>done</span>;
-  if (right === undefined) {
+  if (right === undefined || untold) {
     return <span class={css["open"]}>{guess === "" ? "question answered" : `guessed: ${guess}`}</span>;
   }
   return (
