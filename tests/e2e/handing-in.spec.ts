@@ -181,12 +181,34 @@ test.describe(() => {
     await expect(page.getByTestId("truth")).toHaveCount(0);
     await page.getByText("For teachers", { exact: true }).click();
     await expect(page.getByRole("button", { name: "Show the answers" })).toHaveCount(0);
+    await expect(page.getByRole("heading", { name: "Aim" })).toBeVisible();
+    await expect(page.getByRole("heading", { name: "Common mistakes" })).toHaveCount(0);
+    // What is kept stays, and whatever way leads to the lesson it hides the same.
+    await expect(page.getByRole("slider", { name: "Scale of piece 1" })).toBeDisabled();
+    await page.getByRole("link", { name: "All lessons" }).click();
+    await page
+      .getByRole("link", { name: /Two pieces that touch/ })
+      .first()
+      .click();
+    await expect(page.getByText("Your guess is kept: 0.499.")).toBeVisible();
+    await expect(page.getByRole("button", { name: "Show me" })).toHaveCount(0);
     const after = page.getByRole("navigation", { name: "Before and after" });
     await after.getByRole("link", { name: "Back to the class sheet" }).click();
     const [download] = await Promise.all([
       page.waitForEvent("download"),
       page.getByRole("button", { name: "Save as a file" }).click(),
     ]);
+    await expect(page.getByText("your guess is kept")).toBeVisible();
+    // The link that is handed in does not tell its pupil either.
+    await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+    const own = await copied(page, "Copy link");
+    const elsewhere = await page.context().browser()?.newContext();
+    const other = await elsewhere?.newPage();
+    if (!other) throw new Error("no other browser");
+    await other.goto(own);
+    await expect(other.getByRole("row", { name: /^Eve/ })).toContainText("guessed: 0.499");
+    await expect(other.getByRole("row", { name: /^Eve/ })).not.toContainText(/wrong|it is/);
+    await elsewhere?.close();
     // What was written is there under the link that shows answers, and the lesson shows them.
     await page.goto("about:blank");
     await page.goto(link.replace("&hide=1", ""));
