@@ -3,7 +3,7 @@ import { Segmented } from "../controls/Segmented";
 import { MapButtons } from "./MapButtons";
 import css from "./orbit.module.css";
 import { Spoken } from "./Spoken";
-import { type Game, gameWords, MOST_THROWS } from "./words";
+import { type Game, gameSpoken, gameWords, MOST_THROWS } from "./words";
 
 interface TargetControlsProps {
   game: Game;
@@ -59,7 +59,7 @@ export function TargetControls(props: TargetControlsProps) {
           onChange={(next) => onNew(Number(next))}
         />
       </div>
-      <Spoken words={words} playing={false} />
+      <Spoken words={gameSpoken(game)} playing={false} />
     </div>
   );
 }

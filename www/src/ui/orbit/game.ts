@@ -1,6 +1,6 @@
 /** How a game of reaching a cell stands. */
 import { orbitOf } from "#geometry/maps/orbit";
-import { type Board, fewest, isIn } from "#geometry/maps/target";
+import { type Board, cellOf, fewest, isIn, middleOf } from "#geometry/maps/target";
 import type { Game } from "./words";
 
 /** What is asked for, and what was thrown so far, the first throw first. */
@@ -15,5 +15,8 @@ export function gameOf(board: Board, { target, letters, shown }: Asked): Game {
   const way = fewest(board, target);
   const here = orbitOf(board.maps, board.start, letters).at(-1) ?? board.start;
   const reached = isIn(board, target, here);
-  return { throws: letters.length, reached, least: way.length, shown, target, way };
+  const cell = cellOf(board, target);
+  const xs = cell.map(([x]) => x);
+  const where = { here, centre: middleOf(cell), width: Math.max(...xs) - Math.min(...xs) };
+  return { throws: letters.length, reached, least: way.length, shown, target, way, where };
 }

@@ -15,7 +15,7 @@ import {
   startAgain,
   turnTo,
 } from "./follow";
-import { addressText, gameWords, listed, orbitSpoken, orbitWords } from "./words";
+import { addressText, gameSpoken, gameWords, listed, orbitSpoken, orbitWords } from "./words";
 
 const MAPS: MapRow[] = [
   [0.5, 0, 0, 0.5, 0, 0],
@@ -115,6 +115,18 @@ describe("the words of the game", () => {
     ["when there are too many", { throws: 40 }, /as many as are kept/],
   ])("%s", (_, change, told) => {
     expect(gameWords({ ...game, ...change })).toMatch(told);
+  });
+
+  it("say to those who hear them where the cell is and where the point, and no letters", () => {
+    const where = { here: [0.5, 0.2] as Point, centre: [0.6875, 0.25] as Point, width: 0.125 };
+    const said = (change: object) => gameSpoken({ ...game, where, ...change });
+    expect(said({})).toBe(
+      "The framed cell is 0.125 wide, with its centre at (0.688, 0.25). No throw yet. The point is at (0.5, 0.2).",
+    );
+    expect(said({ throws: 2 })).toMatch(
+      /^2 throws\..* at \(0\.5, 0\.2\)\. The centre .* \(0\.688, 0\.25\)\.$/,
+    );
+    expect(said({ throws: 3, reached: true })).toMatch(/^Well done.* The point is at \(0\.5, 0\.2\)\.$/);
   });
 
   it("give the address away to nobody who has not found it", () => {

@@ -81,6 +81,8 @@ export interface Game {
   target: readonly number[];
   /** The throws of the fewest. */
   way: readonly number[];
+  /** What the picture shows, for those who do not see it: the point, and the cell that it is to reach. */
+  where?: { here: Point; centre: Point; width: number };
 }
 
 /** Throws that are kept in a game. */
@@ -101,4 +103,19 @@ export function gameWords({ throws, reached, least, shown, target, way }: Game):
   if (throws > least) return `Reached in ${count}. It can be done in fewer: start again.`;
   const why = backwards ? " Compare it with your throws." : "";
   return `Well done: reached in ${count}, and fewer do not get there. The cell has the address ${address}.${why}`;
+}
+
+/**
+ * The same for those who hear it, with the places that others see: enough to play by, and not the letters. What is new
+ * comes first: the cell at the beginning, and then how it goes.
+ */
+export function gameSpoken(game: Game): string {
+  const words = gameWords(game);
+  if (!game.where) return words;
+  const { here, centre, width } = game.where;
+  const middle = pointText(centre);
+  if (game.throws === 0)
+    return `The framed cell is ${formatNumber(width, 3)} wide, with its centre at ${middle}. ${words} The point is at ${pointText(here)}.`;
+  const sought = game.reached ? "" : ` The centre of the cell is at ${middle}.`;
+  return `${words} The point is at ${pointText(here)}.${sought}`;
 }

@@ -3,10 +3,11 @@ import { DEEPEST, newTarget } from "#geometry/maps/target";
 import { gameOf } from "#ui/orbit/game";
 import { orbitKey } from "#ui/orbit/keys";
 import { TargetControls } from "#ui/orbit/TargetControls";
-import { gameWords, MOST_THROWS } from "#ui/orbit/words";
+import { gameSpoken, MOST_THROWS, pointText } from "#ui/orbit/words";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
+import { HEIGHT } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
 import { Page as Opened, useAfresh, useKept } from "../../kit/state/kept";
 import { ChoiceQuestion } from "../frame/choice-question";
@@ -107,7 +108,7 @@ function Play() {
       }}
     >
       <Field
-        label={`The gasket with a cell framed, ${2 ** target.length} times smaller than the whole. ${gameWords(game)}`}
+        label={`The gasket in a triangle 1 wide, with corner 1 at (0, 0), 2 at (1, 0) and 3 at ${pointText([0.5, HEIGHT])}. ${gameSpoken(game)}`}
         target={game.target}
         throws={throws}
         onPick={throwTo}
