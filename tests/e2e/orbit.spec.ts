@@ -191,3 +191,62 @@ test("the link of the lesson has its target, which is reached by keys and by a p
   await picture.getByRole("button", { name: "Show a way" }).click();
   await expect(told).toHaveText(/^One way: (?:\d, then ){4}\d\./);
 });
+
+test("the boards of the lesson are played by keys alone, and the focus stays where they are heard", async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto("./#learn/e31/target=13");
+  const picture = page.getByRole("region", { name: "The picture" });
+  const thrown = picture.getByTestId("orbit-thrown");
+  const spoken = picture.getByTestId("orbit-spoken");
+  const first = picture.getByRole("button", { name: "Throw map 1" });
+  await test.step("the first board hears keys while nothing else does", async () => {
+    await expect(spoken).toHaveText(
+      "The framed cell is 0.25 wide, with its centre at (0.25, 0.289). No throw yet. The point is at (0.5, 0.289).",
+    );
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    await page.keyboard.press("2");
+    await expect(thrown).toHaveText("2");
+    await page.getByRole("heading", { level: 1 }).focus();
+    await page.keyboard.press("3");
+    await expect(thrown).toHaveText("2 3");
+    await expect(spoken).toHaveText(
+      "2 throws. The point is not in the framed cell yet. The point is at (0.625, 0.505). The centre of the cell is at (0.25, 0.289).",
+    );
+    await expect(picture.getByRole("img")).toHaveAccessibleName(/a triangle 1 wide, .* \(0\.625, 0\.505\)/);
+  });
+  await test.step("what rests once nothing is thrown hands its focus on", async () => {
+    const again = picture.getByRole("button", { name: "Start again" });
+    await again.focus();
+    await page.keyboard.press("Enter");
+    await expect(again).toBeDisabled();
+    await expect(first).toBeFocused();
+    await page.keyboard.press("3");
+    await picture.getByRole("button", { name: "Back" }).focus();
+    await page.keyboard.press("Backspace");
+    await expect(first).toBeFocused();
+    const before = (await spoken.textContent()) ?? "";
+    await picture.getByRole("button", { name: "New target" }).press("Enter");
+    await expect(spoken).not.toHaveText(before);
+    await expect(spoken).toHaveText(/^The framed cell is 0\.25 wide, with its centre at \(/);
+  });
+  await test.step("each exercise hears its own keys", async () => {
+    const [reach, read] = [1, 2].map((n) => page.getByTestId("exercise").nth(n - 1));
+    if (!reach || !read) throw new Error("no exercises");
+    await reach.getByRole("button", { name: "Throw towards 1" }).focus();
+    for (const key of ["1", "2", "2"]) await page.keyboard.press(key);
+    await expect(reach).toContainText("Thrown: 1 2 2");
+    const clear = reach.getByRole("button", { name: "Clear" });
+    await clear.focus();
+    await page.keyboard.press("Enter");
+    await expect(reach.getByRole("button", { name: "Throw towards 1" })).toBeFocused();
+    for (const key of ["1", "2", "1", "3", "3"]) await page.keyboard.press(key);
+    await expect(reach).toContainText("Thrown: 1 2 1 3");
+    await expect(reach).toContainText("Solved.");
+    await read.getByRole("button", { name: "The point is in piece 2" }).focus();
+    for (const key of ["2", "3", "Backspace"]) await page.keyboard.press(key);
+    await expect(read.getByText("Address: 2", { exact: true })).toBeVisible();
+    await expect(thrown).toHaveText("nothing yet");
+  });
+});

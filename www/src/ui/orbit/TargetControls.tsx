@@ -1,5 +1,6 @@
 import { Button } from "../controls/Button";
 import { Segmented } from "../controls/Segmented";
+import { useFocusKept } from "./focus";
 import { MapButtons } from "./MapButtons";
 import css from "./orbit.module.css";
 import { Spoken } from "./Spoken";
@@ -26,8 +27,9 @@ export function TargetControls(props: TargetControlsProps) {
   const words = gameWords(game);
   const length = String(game.target.length);
   const done = game.reached || letters.length >= MOST_THROWS;
+  const controls = useFocusKept(letters.length === 0);
   return (
-    <div class={css["orbit-controls"]}>
+    <div class={css["orbit-controls"]} ref={controls}>
       <MapButtons verb="Throw map" count={maps} colours={colours} disabled={done} onMap={onThrow} />
       <p class={css["orbit-address"]}>
         <span>Thrown</span>

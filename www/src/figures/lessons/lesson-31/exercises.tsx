@@ -1,6 +1,8 @@
+import type { ComponentChildren } from "preact";
 import { orbitOf, preimageOf } from "#geometry/maps/orbit";
 import { isIn } from "#geometry/maps/target";
 import { Button } from "#ui/controls/Button";
+import { useFocusKept } from "#ui/orbit/focus";
 import { MapButtons } from "#ui/orbit/MapButtons";
 import layout from "../../kit/frame/layout.module.css";
 import type { Point } from "../../kit/maps/pieces";
@@ -9,6 +11,7 @@ import { Exercise } from "../frame/exercise";
 import lessonCss from "../frame/lesson.module.css";
 import { BOARD, letters, lettersOf, MAPS, MARKED, readSoFar, SOUGHT, WANTED } from "./cells";
 import { Field, useColours } from "./field";
+import { Keyed } from "./keyed";
 
 export function Exercises() {
   return (
@@ -25,31 +28,40 @@ interface ChosenProps {
   most: number;
   written: string;
   onWritten: (next: string) => void;
+  children: ComponentChildren;
 }
 
-/** Letters that are chosen one by one, and taken back. */
-function Chosen({ name, verb, most, written, onWritten }: ChosenProps) {
+/** Letters that are chosen one by one, and taken back, beside a picture of what comes of them. */
+function Chosen({ name, verb, most, written, onWritten, children }: ChosenProps) {
+  const add = (letter: number) => {
+    if (written.length < most) onWritten(`${written}${letter + 1}`);
+  };
+  const back = () => onWritten(written.slice(0, -1));
+  const controls = useFocusKept(written === "");
   return (
-    <div class={lessonCss["ask"]}>
-      <MapButtons
-        verb={verb}
-        count={MAPS.length}
-        colours={useColours()}
-        disabled={written.length >= most}
-        onMap={(letter) => onWritten(`${written}${letter + 1}`)}
-      />
-      <div class={layout["buttons"]}>
-        <Button icon="back" disabled={written === ""} onClick={() => onWritten(written.slice(0, -1))}>
-          Back
-        </Button>
-        <Button icon="reset" disabled={written === ""} onClick={() => onWritten("")}>
-          Clear
-        </Button>
+    <Keyed onMap={add} onBack={back}>
+      {children}
+      <div class={lessonCss["ask"]} ref={controls}>
+        <MapButtons
+          verb={verb}
+          count={MAPS.length}
+          colours={useColours()}
+          disabled={written.length >= most}
+          onMap={add}
+        />
+        <div class={layout["buttons"]}>
+          <Button icon="back" disabled={written === ""} onClick={back}>
+            Back
+          </Button>
+          <Button icon="reset" disabled={written === ""} onClick={() => onWritten("")}>
+            Clear
+          </Button>
+        </div>
+        <p class="number">
+          {name}: {written === "" ? "nothing yet" : [...written].join(" ")}
+        </p>
       </div>
-      <p class="number">
-        {name}: {written === "" ? "nothing yet" : [...written].join(" ")}
-      </p>
-    </div>
+    </Keyed>
   );
 }
 
@@ -80,14 +92,13 @@ function Reach() {
       solved={solved}
       status={words}
     >
-      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+      <Chosen name="Thrown" verb="Throw towards" most={most} written={thrown} onWritten={setThrown}>
         <Field
           label={`The gasket with a small cell framed in its piece 3, after ${throws.length} throws. ${words}`}
           target={target}
           throws={throws}
         />
-        <Chosen name="Thrown" verb="Throw towards" most={most} written={thrown} onWritten={setThrown} />
-      </div>
+      </Chosen>
     </Exercise>
   );
 }
@@ -128,21 +139,20 @@ function Read() {
       solved={so === "done"}
       status={words}
     >
-      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+      <Chosen
+        name="Address"
+        verb="The point is in piece"
+        most={SOUGHT.length}
+        written={said}
+        onWritten={setSaid}
+      >
         <Field
           label={`The gasket with a point in it, enlarged ${chosen.length} times. ${words}`}
           throws={chosen}
           points={points}
           inverse
         />
-        <Chosen
-          name="Address"
-          verb="The point is in piece"
-          most={SOUGHT.length}
-          written={said}
-          onWritten={setSaid}
-        />
-      </div>
+      </Chosen>
     </Exercise>
   );
 }

@@ -1,11 +1,9 @@
 import { useContext, useMemo, useState } from "preact/hooks";
 import { DEEPEST, newTarget } from "#geometry/maps/target";
 import { gameOf } from "#ui/orbit/game";
-import { orbitKey } from "#ui/orbit/keys";
 import { TargetControls } from "#ui/orbit/TargetControls";
 import { gameSpoken, MOST_THROWS, pointText } from "#ui/orbit/words";
 import type { Heading } from "../../kit/frame/frame";
-import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { HEIGHT } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
@@ -17,6 +15,7 @@ import { BOARD, HIDDEN, letters, lettersOf, MAPS, writtenAs } from "./cells";
 import { Exercises } from "./exercises";
 import { Field, useColours } from "./field";
 import css from "./field.module.css";
+import { Keyed } from "./keyed";
 import { TEACHING } from "./teaching";
 
 /** A game of throws that are chosen. */
@@ -96,17 +95,7 @@ function Play() {
     set("");
   };
   return (
-    // biome-ignore lint/a11y/noStaticElementInteractions: the keys are those of the buttons within
-    <div
-      class={`${layout["two-columns"]} ${layout["even"]}`}
-      onKeyDown={(event) => {
-        const key = orbitKey(event, MAPS.length);
-        if (key === null) return;
-        event.preventDefault();
-        if (key === "back") set(thrown.slice(0, -1));
-        else throwTo(key);
-      }}
-    >
+    <Keyed onMap={throwTo} onBack={() => set(thrown.slice(0, -1))} first>
       <Field
         label={`The gasket in a triangle 1 wide, with corner 1 at (0, 0), 2 at (1, 0) and 3 at ${pointText([0.5, HEIGHT])}. ${gameSpoken(game)}`}
         target={game.target}
@@ -127,7 +116,7 @@ function Play() {
           onShow={() => set(writtenAs(game.way), true)}
         />
       </div>
-    </div>
+    </Keyed>
   );
 }
 
