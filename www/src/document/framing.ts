@@ -1,6 +1,15 @@
 /** Which part of the plane has to be seen, so that the shape has room at every moment. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import { type Box, calmTrack, stillTrack, type Track, UNIT, union } from "#geometry/boxes";
+import {
+  type Box,
+  calmTrack,
+  imageOf,
+  shortBeside,
+  stillTrack,
+  type Track,
+  UNIT,
+  union,
+} from "#geometry/boxes";
 import { uvAt } from "#geometry/path";
 import type { Deformation, MapRow } from "#wasm/api";
 import { boxOf } from "./bounds";
@@ -76,10 +85,7 @@ export function boxAround(shape: MapRow[] | Box): Deformation["box"] {
   const [x, y] = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
   const half = (extent: number) => (MARGIN + 0.5) * Math.max(extent, 0.25 * size);
   const [across, up] = [half(box.x1 - box.x0), half(box.y1 - box.y0)];
-  const step = 10 ** Math.floor(Math.log10(size) - 3);
-  // By division, which gives the shortest digits.
-  const round = (z: number) =>
-    step < 1 ? Math.round(z / step) / Math.round(1 / step) : Math.round(z / step) * step;
+  const round = shortBeside(size);
   return [round(x - across), round(y - up), round(x + across), round(y + up)];
 }
 
@@ -148,13 +154,6 @@ export const stageTrack: ReadonlySignal<Track> = computed(() => {
   if (editing) return stillTrack(editFrame.value?.seen ?? pairBox.value, LOOKS);
   return elsewhere.value ? stillTrack(boxOf(shown.value) ?? pairBox.value, LOOKS) : pathTrack.value;
 });
-
-/** The box around the image of a box. */
-function imageOf(box: Box, [a, b, c, d, e, f]: MapRow): Box {
-  const xs = [box.x0, box.x1].flatMap((x) => [box.y0, box.y1].map((y) => a * x + b * y + e));
-  const ys = [box.x0, box.x1].flatMap((x) => [box.y0, box.y1].map((y) => c * x + d * y + f));
-  return { x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) };
-}
 
 /** How narrow the box of a shape in hand may be, in proportion: of what is flat nothing could be taken hold of. */
 const NARROWEST = 0.1;

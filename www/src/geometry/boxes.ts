@@ -1,4 +1,5 @@
-/** Where the camera looks while a morph goes by: boxes at even times, between which it glides. */
+/** Boxes, and where the camera looks while a morph goes by: boxes at even times, between which it glides. */
+import type { MapRow } from "#wasm/api";
 
 /** A rectangle of the plane. */
 export interface Box {
@@ -35,6 +36,25 @@ export function calmTrack(looks: readonly (Box | null)[]): Track {
 /** A track that stands still. */
 export function stillTrack(box: Box, looks: number): Track {
   return Array.from({ length: looks }, () => box);
+}
+
+/** The box of what a map makes of a box. */
+export function imageOf({ x0, y0, x1, y1 }: Box, [a, b, c, d, e, f]: MapRow): Box {
+  const xs = [a * x0 + b * y0, a * x0 + b * y1, a * x1 + b * y0, a * x1 + b * y1];
+  const ys = [c * x0 + d * y0, c * x0 + d * y1, c * x1 + d * y0, c * x1 + d * y1];
+  return {
+    x0: Math.min(...xs) + e,
+    y0: Math.min(...ys) + f,
+    x1: Math.max(...xs) + e,
+    y1: Math.max(...ys) + f,
+  };
+}
+
+/** Rounds to short numbers beside a length: what is around a shape is known to no more. */
+export function shortBeside(length: number): (x: number) => number {
+  const step = 10 ** Math.floor(Math.log10(length > 0 ? length : 1) - 3);
+  // By division, which gives the shortest digits; and no minus zero.
+  return (x) => (step < 1 ? Math.round(x / step) / Math.round(1 / step) : Math.round(x / step) * step) || 0;
 }
 
 /** Where the camera is at the fraction `t` of the way. */

@@ -3,8 +3,7 @@
  * moved, so that a parallelogram that nobody touches stays where it is, or follows the shape where that is chosen.
  */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { type Box, UNIT, union } from "#geometry/boxes";
-import { cornersOf } from "#geometry/parallelogram";
+import { type Box, imageOf, shortBeside, UNIT, union } from "#geometry/boxes";
 import type { MapRow } from "#wasm/api";
 import { boxOf } from "../bounds";
 import { selection } from "../morph";
@@ -37,9 +36,7 @@ export function frameAround(maps: MapRow[]): Box {
     const lacks = NARROWEST * size - (high - low);
     return lacks > 0 ? [low - lacks / 2, high + lacks / 2] : [low, high];
   };
-  // In short numbers, which are shown; the box is known to no more. Division gives the shortest digits.
-  const digits = 3 - Math.floor(Math.log10(size));
-  const round = (z: number) => (digits > 0 ? Math.round(z * 10 ** digits) / 10 ** digits : Math.round(z)) + 0;
+  const round = shortBeside(size);
   const [left, right] = widen(x0, x1).map(round) as [number, number];
   const [low, high] = widen(y0, y1).map(round) as [number, number];
   return { x0: left, y0: low, x1: right, y1: high };
@@ -47,19 +44,15 @@ export function frameAround(maps: MapRow[]): Box {
 
 /** The shape with its frame and the images of that, so that no handle is out of reach. */
 function seenAround(maps: MapRow[], frame: Box): Box {
-  const boxes = [frame, boxOf(maps) ?? frame];
-  for (const map of maps) {
-    const corners = Object.values(cornersOf(map, frame));
-    const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
-    boxes.push({ x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) });
-  }
-  return union(boxes);
+  return union([frame, boxOf(maps) ?? frame, ...maps.map((map) => imageOf(frame, map))]);
 }
 
 /** Whether maps were made in the unit square: each takes it into itself. Then it is the frame to go on with. */
 function inUnitSquare(maps: readonly MapRow[]): boolean {
-  const inside = (x: number) => x >= -1e-9 && x <= 1 + 1e-9;
-  return maps.every((map) => Object.values(cornersOf(map, UNIT)).every(({ x, y }) => inside(x) && inside(y)));
+  return maps.every((map) => {
+    const { x0, y0, x1, y1 } = imageOf(UNIT, map);
+    return Math.min(x0, y0) >= -1e-9 && Math.max(x1, y1) <= 1 + 1e-9;
+  });
 }
 
 /** The frame of a shape: as it was left, else around the shape as it is now. */
@@ -91,7 +84,7 @@ export function setFrame(maps: MapRow[], box: Box, { follows = false, byHand = f
 }
 
 /** The last one that stood still: what follows does so when the hand lets go. */
-let resting: { frame: EditFrame; maps: MapRow[] } | null = null;
+let resting: EditFrame | null = null;
 
 /** The frame of the shape that is edited map by map; null where none is. */
 export const editFrame: ReadonlySignal<EditFrame | null> = computed(() => {
@@ -106,9 +99,9 @@ export const editFrame: ReadonlySignal<EditFrame | null> = computed(() => {
   if (!frame.follows) return frame;
   if (!inGesture.value || resting === null) {
     const box = frameAround(maps);
-    resting = { maps, frame: { box, seen: seenAround(maps, box), follows: true } };
+    resting = { box, seen: seenAround(maps, box), follows: true };
   }
-  return resting.frame;
+  return resting;
 });
 
 /** The view is to be fitted to what there is now. */

@@ -1,21 +1,9 @@
 /** Where a new map goes: beside those there are, and not on top of one. */
 import type { MapRow } from "#wasm/api";
-import type { Box } from "../boxes";
+import { type Box, imageOf, shortBeside } from "../boxes";
 
 /** How many places are tried each way. */
 const TRIED = 24;
-
-/** The box of what a map makes of a box. */
-function imageOf([a, b, c, d, e, f]: MapRow, { x0, y0, x1, y1 }: Box): Box {
-  const xs = [a * x0 + b * y0, a * x0 + b * y1, a * x1 + b * y0, a * x1 + b * y1];
-  const ys = [c * x0 + d * y0, c * x0 + d * y1, c * x1 + d * y0, c * x1 + d * y1];
-  return {
-    x0: Math.min(...xs) + e,
-    y0: Math.min(...ys) + f,
-    x1: Math.max(...xs) + e,
-    y1: Math.max(...ys) + f,
-  };
-}
 
 const overlap = (p: Box, q: Box): number =>
   Math.max(0, Math.min(p.x1, q.x1) - Math.max(p.x0, q.x0)) *
@@ -30,8 +18,8 @@ const apart = (p: Box, q: Box): number =>
  * farthest from the next of them. It stays inside the frame where it fits, so that the shape does not grow.
  */
 export function beside(maps: readonly MapRow[], map: MapRow, frame: Box): MapRow {
-  const own = imageOf(map, frame);
-  const others = maps.map((other) => imageOf(other, frame));
+  const own = imageOf(frame, map);
+  const others = maps.map((other) => imageOf(frame, other));
   const size = Math.max(frame.x1 - frame.x0, frame.y1 - frame.y0);
   const [width, height] = [own.x1 - own.x0, own.y1 - own.y0];
   const spare = {
@@ -57,8 +45,8 @@ export function beside(maps: readonly MapRow[], map: MapRow, frame: Box): MapRow
   }
   if (best === null) return map;
   const [a, b, c, d, e, f] = map;
-  const step = 10 ** Math.floor(Math.log10(size > 0 ? size : 1) - 3);
-  return [a, b, c, d, round(e + best.x - own.x0, step), round(f + best.y - own.y0, step)];
+  const round = shortBeside(size);
+  return [a, b, c, d, round(e + best.x - own.x0), round(f + best.y - own.y0)];
 }
 
 /** A copy for one more map: as small as it has to be for so many to lie side by side, a half at most. */
@@ -66,7 +54,3 @@ export function oneMore(maps: readonly MapRow[], frame: Box): MapRow {
   const scale = Math.min(0.5, 1 / (Math.floor(Math.sqrt(maps.length)) + 1));
   return beside(maps, [scale, 0, 0, scale, 0, 0], frame);
 }
-
-/** A short number: the frame is only known to so much, too. By division, which gives the shortest digits. */
-const round = (x: number, step: number): number =>
-  (step < 1 ? Math.round(x / step) / Math.round(1 / step) : Math.round(x / step) * step) || 0;

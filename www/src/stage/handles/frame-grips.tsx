@@ -10,6 +10,7 @@ import { screen, toScreen, toWorld, world } from "#geometry/coordinates";
 import { useGrip } from "../grip";
 import css from "../stage.module.css";
 import { effectiveView, stageSize } from "../view";
+import { ARROWS, foreign } from "./held";
 import { place } from "./Parallelogram";
 
 /** Whether the panel speaks of the frame: then its corners can be dragged. */
@@ -39,13 +40,6 @@ export function FrameGrips() {
   );
 }
 
-const STEPS: Record<string, [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
-
 function FrameGrip({ corner, box }: { corner: Corner; box: Box }) {
   const { x, y } = place(world(box[corner.x], box[corner.y]));
   // Outside the frame, so that it covers no corner of a map in the frame's own corner.
@@ -74,10 +68,10 @@ function FrameGrip({ corner, box }: { corner: Corner; box: Box }) {
         },
         key(event) {
           const now = editFrame.peek()?.box;
-          const step = STEPS[event.key];
-          if (!now || !step || event.ctrlKey || event.metaKey || event.altKey) return false;
+          const step = ARROWS[event.key];
+          if (!now || !step || foreign(event)) return false;
           const by = (event.shiftKey ? 1 : STEP) / effectiveView.peek().scale;
-          moveCorner(corner, now[corner.x] + by * step[0], now[corner.y] + by * step[1]);
+          moveCorner(corner, now[corner.x] + by * step[0], now[corner.y] - by * step[1]);
           const { x, y } = { x: editFrame.peek()?.box[corner.x], y: editFrame.peek()?.box[corner.y] };
           announce(`Frame, ${corner.name} corner: ${lengthWords(x ?? 0)}, ${lengthWords(y ?? 0)}`);
           return true;

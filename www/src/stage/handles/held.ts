@@ -44,7 +44,8 @@ export const snapping = signal(true);
 /** Where it rests just now. */
 export const rest = signal<World | null>(null);
 
-const ARROWS: Record<string, [number, number]> = {
+/** Which way an arrow key goes on the screen. */
+export const ARROWS: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
   ArrowUp: [0, -1],
@@ -52,7 +53,7 @@ const ARROWS: Record<string, [number, number]> = {
 };
 
 /** Whether a key is for the browser. */
-const foreign = ({ ctrlKey, metaKey, altKey }: KeyboardEvent) => ctrlKey || metaKey || altKey;
+export const foreign = ({ ctrlKey, metaKey, altKey }: KeyboardEvent) => ctrlKey || metaKey || altKey;
 
 /** Drags and arrow keys for one of its grips; `take` where it is to be chosen first. */
 export const useHeldGrip = (held: Held, grip: Grip, take?: () => void) =>
