@@ -20,6 +20,8 @@ it("gives each map of an end the place that it has in the morph", () => {
 
 it("leaves maps in their own order where they are not what is paired", () => {
   expect(ranksIn([p, q], [p, r, r])).toEqual([0, 1]);
+  // All are there, and so is a piece that none of them makes.
+  expect(ranksIn([p, q], [q, p, r])).toEqual([0, 1]);
   expect(ranksIn([p, q], [p, q], [0, 5])).toEqual([0, 1]);
 });
 

@@ -42,6 +42,8 @@ it("says no more than is known", () => {
   expect(words({ symmetries: { turns: 2, mirrors: [0, 90] } })).toContain(
     "It is its own mirror image across a level line and an upright line and looks the same upside down.",
   );
+  // Turned it is the same, and in no mirror: no square.
+  expect(words({ symmetries: { turns: 4, mirrors: [] } })).toContain("It looks the same turned by 90°.");
   expect(words({ symmetries: { turns: 1, mirrors: [] } })).not.toContain("It has");
   expect(words({ box: { x0: 1, y0: 1, x1: 1, y1: 1 } })).toContain("a single point");
   expect(words({ box: { x0: 0, y0: 0, x1: 2, y1: 0 } })).toContain("on a level line 2.0 long");

@@ -52,6 +52,8 @@ describe("the frame of a shape that is edited", () => {
   it("is the unit square for maps that were made in it", () => {
     opened([at(0, 0), at(0.25, 0.5)]);
     expect(editFrame.value?.box).toEqual({ x0: 0, y0: 0, x1: 1, y1: 1 });
+    // A shape of the gallery fills its frame, although its maps lie in the square as well.
+    expect(frameOf([at(0, 0), at(0.25, 0.5)], true).box).toEqual({ x0: 0, y0: 0, x1: 0.5, y1: 1 });
     expect(frameOf([at(0, 0), at(0.6, 0)]).box).not.toEqual({ x0: 0, y0: 0, x1: 1, y1: 1 });
   });
 
