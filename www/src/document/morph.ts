@@ -4,6 +4,7 @@ import { sameMaps } from "#geometry/maps/same-maps";
 import { pointsOf, type Uv, uvAt } from "#geometry/path";
 import type { Ifs, LocusView, MapRow, MorphOptions, Pairing } from "#wasm/api";
 import { frond } from "#wasm/core";
+import { pieceColours, ranked } from "./colours";
 import { inGesture, scene } from "./scene";
 import { standIn } from "./stand-in";
 
@@ -203,3 +204,10 @@ export const shown: ReadonlySignal<MapRow[]> = computed(() => {
 export const linear: ReadonlySignal<MapRow[]> = computed(() =>
   mapsAt(uv.value, { ...morphOptions.value, mode: "linear" }),
 );
+
+/** The colours of what the stage shows: a shape that is edited has its maps in their own order, each in its colour. */
+export function shownColours(theme: "light" | "dark"): string[] {
+  const all = pieceColours(theme);
+  const editing = selection.value;
+  return editing ? ranked(all, ranks[editing.target].value) : all;
+}

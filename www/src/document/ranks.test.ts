@@ -2,7 +2,8 @@ import { expect, it, vi } from "vitest";
 import type { MapRow } from "#wasm/api";
 
 vi.mock("#wasm/core", () => ({ frond: {} }));
-const { ranksIn } = await import("./morph");
+const { ranksIn, selection, shownColours } = await import("./morph");
+const { scene, start } = await import("./scene");
 const { ranked } = await import("./colours");
 
 const [p, q, r]: [MapRow, MapRow, MapRow] = [
@@ -30,4 +31,19 @@ it("gives maps the colours of their places", () => {
   expect(ranked(colours, [2, 0, 1])).toEqual(["blue", "red", "green"]);
   expect(ranked(colours, [0, 1])).toBe(colours);
   expect(ranked(colours, [4, 0])).toEqual(["green", "red"]);
+});
+
+it("shows a shape that is edited in the colours of the morph, whoever asks for them", () => {
+  const maps = [p, q, r];
+  const own = ["#ff0000", "#00ff00", "#0000ff"];
+  const before = scene.peek();
+  const ends = { a: { name: "A", maps }, b: { name: "B", maps: [...maps] } };
+  start({ ...before, ...ends, correspondence: [1, 2, 0], palette: own });
+  expect(shownColours("light")).toEqual(own);
+  selection.value = { target: "a", map: 0 };
+  expect(shownColours("dark")).toEqual(own);
+  selection.value = { target: "b", map: 0 };
+  expect(shownColours("light")).toEqual(["#0000ff", "#ff0000", "#00ff00"]);
+  selection.value = null;
+  start(before);
 });

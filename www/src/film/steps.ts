@@ -1,9 +1,9 @@
 /** A shape in the making: a figure, its copies under all maps, their copies, and so on. */
 import { boxOf, fitFor } from "#document/framing";
+import { shownColours } from "#document/morph";
 import type { Box } from "#geometry/boxes";
 import { after2 } from "#geometry/maps/affine2";
 import { isDark } from "#style/ground";
-import { palette } from "#style/palette";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import type { Drawer, FrameLook, FramePixels } from "#workers/film/subject";
@@ -51,7 +51,10 @@ export function stepsSubject(
   const box = boxOf(maps);
   if (!box || maps.length === 0) return null;
   const steps = stepsOf(maps);
+  // Those of now: a film goes on while somebody chooses others.
+  const colours = { light: shownColours("light"), dark: shownColours("dark") };
   const corners = seedCorners(seed, box, frond.bounds({ maps }).hull);
+  const figure = { corners, seen: seenBox(steps, corners, box), colours };
   return {
     id: "steps",
     label: "Step by step",
@@ -68,11 +71,18 @@ export function stepsSubject(
       value: seed,
       begin: (other) => stepsSubject(maps, name, ground, other),
     },
-    drawer: (look) => stepsDrawer(look, steps, corners, seenBox(steps, corners, box)),
+    drawer: (look) => stepsDrawer(look, steps, figure),
   };
 }
 
-function stepsDrawer(look: FrameLook, steps: readonly Copy[][], corners: Corners, seen: Box): Drawer {
+/** What is copied, what of the plane is seen, and in which colours. */
+interface Figure {
+  corners: Corners;
+  seen: Box;
+  colours: Record<"light" | "dark", readonly string[]>;
+}
+
+function stepsDrawer(look: FrameLook, steps: readonly Copy[][], figure: Figure): Drawer {
   let shown = -1;
   return {
     hands: 1,
@@ -84,7 +94,7 @@ function stepsDrawer(look: FrameLook, steps: readonly Copy[][], corners: Corners
       // The page has its turn between two frames.
       await turn();
       signal.throwIfAborted();
-      return drawn(look, steps[step] ?? [], corners, seen);
+      return drawn(look, steps[step] ?? [], figure);
     },
     end() {},
   };
@@ -93,14 +103,13 @@ function stepsDrawer(look: FrameLook, steps: readonly Copy[][], corners: Corners
 function drawn(
   { width, height, ground }: FrameLook,
   copies: readonly Copy[],
-  corners: Corners,
-  seen: Box,
+  { corners, seen, colours: both }: Figure,
 ): FramePixels {
   const began = performance.now();
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext("2d", { willReadFrequently: true });
   if (!context) throw new Error("This browser has no canvas to draw on.");
-  const colours = palette(isDark(ground) ? "dark" : "light");
+  const colours = both[isDark(ground) ? "dark" : "light"];
   const { x, y, scale } = fitFor(seen, { width, height }, MARGIN);
   const dot = Math.max(1, DOT_RADIUS * Math.min(width, height));
   const paths = new Map<number, Path2D>();

@@ -2,13 +2,12 @@
 
 import { curveDrawer } from "#curve/film";
 import { directedDrawer } from "#directed/film";
-import { pieceColours } from "#document/colours";
 import { curveMorph, curveTime } from "#document/curve/curve";
 import { photographsSeen } from "#document/curve/photographs";
 import { bend, deformation } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
 import { directedWay } from "#document/directed/directed";
-import { selection, shown } from "#document/morph";
+import { selection, shown, shownColours } from "#document/morph";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import { endsOf } from "#document/stand-in";
@@ -51,7 +50,7 @@ export async function stageStill(): Promise<Still> {
     if (curve) return curveDrawer(look, colouring, () => ({ s, bend: bent, view }), photographs);
     if (way) return directedDrawer(look, way, colouring, () => ({ t, view }));
     const lightGround = !isDark(look.ground);
-    const palette = pieceColours(lightGround ? "light" : "dark");
+    const palette = shownColours(lightGround ? "light" : "dark");
     const options = { view, colouring, palette, lightGround, ...(bent ? { bend: bent } : {}) };
     return planeDrawer(look, alone, () => ({ maps, weights, options }));
   };

@@ -1,6 +1,5 @@
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
-import { pieceColours, ranked } from "#document/colours";
-import { ranks, selection } from "#document/morph";
+import { shownColours } from "#document/morph";
 import { ownWeights } from "#document/own-weights";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
@@ -8,12 +7,7 @@ import type { RenderStyle } from "#wasm/core";
 
 const colouring = computed(() => scene.value.colouring);
 
-const colours = computed(() => {
-  const all = pieceColours(dark.value ? "dark" : "light");
-  const editing = selection.value;
-  // A shape that is edited has its maps in their own order, and each of them the colour that it has in the morph.
-  return editing ? ranked(all, ranks[editing.target].value) : all;
-});
+const colours = computed(() => shownColours(dark.value ? "dark" : "light"));
 
 /** How the stage is coloured: the same object while only the moment changes. */
 export const stageStyle: ReadonlySignal<RenderStyle> = computed(() => ({

@@ -2,10 +2,9 @@
  * The studio on paper: what a graphics card draws does not come there, so a complete picture stands in, with the maps
  * and the link. Plain nodes and no component: it has to be there before `beforeprint` returns.
  */
-import { pieceColours } from "#document/colours";
 import { bend } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
-import { selection, shown } from "#document/morph";
+import { selection, shown, shownColours } from "#document/morph";
 import { scene } from "#document/scene";
 import { endsOf, standIn } from "#document/stand-in";
 import { percent } from "#format/path-words";
@@ -81,7 +80,7 @@ function atOnce(): HTMLElement {
       height: canvas.height,
       view: { ...seen, scale: FINE * seen.scale },
       colouring: scene.peek().colouring,
-      palette: pieceColours("light"),
+      palette: shownColours("light"),
       lightGround: true,
       ...(bent ? { bend: bent } : {}),
     };

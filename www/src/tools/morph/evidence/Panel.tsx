@@ -1,9 +1,8 @@
 import { useEffect, useState } from "preact/hooks";
 import { told } from "#compute/proof";
 import { verdict } from "#compute/results";
-import { pieceColours } from "#document/colours";
 import { boxOf } from "#document/framing";
-import { shown } from "#document/morph";
+import { shown, shownColours } from "#document/morph";
 import { notify, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import { percent } from "#format/path-words";
@@ -81,7 +80,7 @@ async function saveDrawing(answer: Connectedness, epsilon: number): Promise<void
       words: [accountOf(answer, epsilon), answer.reason?.text ?? ""].join(" ").trim(),
       maps,
       hull: frond.bounds({ maps }).hull,
-      colours: pieceColours("light"),
+      colours: shownColours("light"),
       links: answer.reason?.links ?? [],
       sides: hulls.peek(),
       gap: gap && { ...gap, words: shareWords(shareOf(answer)) },
