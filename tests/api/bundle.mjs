@@ -7,7 +7,7 @@ import { join } from "node:path";
 
 const [bundler = "", folder = ""] = process.argv.slice(2);
 const out = join(folder, "out", bundler);
-const installed = join(folder, "node_modules/frond");
+const installed = join(folder, "node_modules/frond-ifs");
 
 const page = (script) => writeFileSync(join(out, "index.html"), `<!doctype html>${script}`);
 
@@ -57,7 +57,7 @@ const BUNDLERS = {
     const { build } = await import("esbuild");
     await build({
       absWorkingDir: folder,
-      entryPoints: ["app.js", "frond/pool-worker.js"],
+      entryPoints: ["app.js", "frond-ifs/pool-worker.js"],
       entryNames: "[name]",
       bundle: true,
       format: "esm",
@@ -84,7 +84,7 @@ const BUNDLERS = {
     const { rolldown } = await import("rolldown");
     const bundle = await rolldown({
       cwd: folder,
-      input: { app: "./app.js", "pool-worker": "frond/pool-worker.js" },
+      input: { app: "./app.js", "pool-worker": "frond-ifs/pool-worker.js" },
       platform: "browser",
     });
     await bundle.write({ dir: out });

@@ -83,7 +83,7 @@ describe("the package", () => {
     expect(entries).toContain("./exchange");
     const program = `
       for (const entry of ${JSON.stringify(entries)}) {
-        const { default: init, ...rest } = await import(entry.replace(".", "frond"));
+        const { default: init, ...rest } = await import(entry.replace(".", "frond-ifs"));
         await init();
         rest.start?.();
         console.log(entry, "initSync" in rest);

@@ -49,7 +49,7 @@ beforeAll(async () => {
   const pack = ["pack", "--json", "--pack-destination", scratch];
   execFileSync("npm", pack, { cwd: folder, stdio: ["ignore", "ignore", "ignore"] });
   manifest = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
-  const file = join(scratch, `frond-${manifest.version}.tgz`);
+  const file = join(scratch, `frond-ifs-${manifest.version}.tgz`);
   tarball = readFileSync(file);
   mkdirSync(app);
   writeFileSync(join(app, "package.json"), '{ "private": true }');
@@ -80,7 +80,10 @@ describe("the packed package", () => {
   });
 
   it("brings its licences and a README, and none of its parts is missing", () => {
-    const files = execFileSync("tar", ["-tzf", join(scratch, `frond-${manifest.version}.tgz`)]).toString();
+    const files = execFileSync("tar", [
+      "-tzf",
+      join(scratch, `frond-ifs-${manifest.version}.tgz`),
+    ]).toString();
     const named = Object.values(manifest.exports).flatMap((entry) =>
       typeof entry === "string" ? [entry] : Object.values(entry),
     );
@@ -102,11 +105,11 @@ describe("the packed package", () => {
     const entries = Object.keys(manifest.exports).filter((entry) => !/\.(wasm|json)$|worker/.test(entry));
     const said = node(`
       for (const entry of ${JSON.stringify(entries)}) {
-        const { default: init } = await import(entry.replace(".", "frond"));
+        const { default: init } = await import(entry.replace(".", "frond-ifs"));
         await init?.();
         console.log(entry);
       }
-      const { createRenderer, createLocusCompute } = await import("frond/renderer");
+      const { createRenderer, createLocusCompute } = await import("frond-ifs/renderer");
       console.log(await createLocusCompute());
       await createRenderer({}).catch(({ code }) => console.log(code));`);
     expect(said.trim().split("\n")).toEqual([...entries, "undefined", "no-canvas"]);
@@ -115,7 +118,7 @@ describe("the packed package", () => {
   it("is found by those who still say require", () => {
     const program = `
       const { createRequire } = await import("node:module");
-      const { presets, default: init } = createRequire(${JSON.stringify(join(app, "app.cjs"))})("frond/draw");
+      const { presets, default: init } = createRequire(${JSON.stringify(join(app, "app.cjs"))})("frond-ifs/draw");
       await init();
       console.log(presets().length > 10);`;
     expect(node(program).trim()).toBe("true");
@@ -123,9 +126,9 @@ describe("the packed package", () => {
 
   it("computes in workers what it computes at once, and says how far it is", () => {
     const said = node(`
-      import { createPool } from "frond/pool";
-      import init, { connectedness, locus, planPath, presets } from "frond";
-      import initFit, { fitCurve } from "frond/fit";
+      import { createPool } from "frond-ifs/pool";
+      import init, { connectedness, locus, planPath, presets } from "frond-ifs";
+      import initFit, { fitCurve } from "frond-ifs/fit";
       await Promise.all([init(), initFit()]);
       const shape = (name) => presets().find(({ id }) => id === name);
       const [from, to] = [shape("dragon-3"), shape("gasket")];
@@ -147,7 +150,7 @@ describe("the packed package", () => {
 
   it("leaves work in workers at once when it is called off, and ends with the program", () => {
     const said = node(`
-      import { createPool } from "frond/pool";
+      import { createPool } from "frond-ifs/pool";
       const pool = createPool({ size: 1 });
       const gasket = [[0.5, 0, 0, 0.5, 0, 0], [0.5, 0, 0, 0.5, 0.5, 0], [0.5, 0, 0, 0.5, 0.25, 0.433]];
       const turned = { maps: gasket.map(([a, , , d, e, f]) => [0, a, -d, 0, e, f]) };
@@ -169,8 +172,8 @@ describe("the packed package", () => {
   it.skipIf(!existsSync(join(root, "node_modules/webpack")))("is bundled for Node, with its workers", () => {
     writeFileSync(
       join(app, "app.js"),
-      `import init, { presets } from "frond/draw";
-      import { createPool } from "frond/pool";
+      `import init, { presets } from "frond-ifs/draw";
+      import { createPool } from "frond-ifs/pool";
       await init();
       const pool = createPool({ size: 1 });
       const { verdict } = await pool.connectedness(presets().find(({ id }) => id === "fern"));
@@ -255,7 +258,7 @@ describe("the packed package", () => {
     expect(frond("render", states, "--out", "s.png", "--frames", "2", ...size)).toMatchObject({ status: 0 });
     expect(bytes("s-0001.png").equals(bytes("s-0002.png"))).toBe(false);
     const made = node(`
-      import init, { defaultSpace, defaultView, packSpace } from "frond/space";
+      import init, { defaultSpace, defaultView, packSpace } from "frond-ifs/space";
       await init();
       const space = defaultSpace();
       const view = defaultView(space);
@@ -296,7 +299,7 @@ describe("the packed package", () => {
     const decided = frond("connectedness", "dust.json");
     expect([decided.status, JSON.parse(decided.stdout).verdict]).toEqual([1, "disconnected"]);
     node(`
-      import init, { certificate } from "frond/proof";
+      import init, { certificate } from "frond-ifs/proof";
       import { writeFileSync } from "node:fs";
       await init();
       const proof = certificate({ maps: [[0.3,0,0,0.3,0,0],[0.3,0,0,0.3,0.7,0]] });

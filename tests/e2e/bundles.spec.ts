@@ -10,8 +10,8 @@ const root = fileURLToPath(new URL("../../", import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), "frond-bundles-"));
 
 const APP = `
-  import init, { presets, rasterize } from "frond/draw";
-  import { createPool } from "frond/pool";
+  import init, { presets, rasterize } from "frond-ifs/draw";
+  import { createPool } from "frond-ifs/pool";
   await init();
   const fern = presets().find(({ id }) => id === "fern");
   const pixels = rasterize(fern, { width: 30, height: 30 });
@@ -20,13 +20,13 @@ const APP = `
   pool.close();
   document.title = pixels.some((byte) => byte > 0) + " " + verdict;`;
 const LOADER = `
-  import init, { presets } from "frond/draw";
-  import wasm from "frond/frond_bg.wasm";
+  import init, { presets } from "frond-ifs/draw";
+  import wasm from "frond-ifs/frond_bg.wasm";
   await init({ module_or_path: wasm });
   document.title = String(presets().length > 10);`;
 
 test.beforeAll(() => {
-  const installed = join(folder, "node_modules/frond");
+  const installed = join(folder, "node_modules/frond-ifs");
   mkdirSync(installed, { recursive: true });
   // As it is published: what the manifest leaves out is not there.
   const pack = ["pack", "--json", "--pack-destination", folder];

@@ -43,7 +43,7 @@ Usage: cargo xtask <command>
       Write the site into dist/: plain files that work from any folder of any static host, without
       special headers. FROND_SITE is the address that it will have, such as https://example.org/frond/: with it
       pages that are sent unfold with their picture, and there is a sitemap. Write the JavaScript API as a package into target/package/frond, too:
-      `npm install path/to/target/package/frond`, then `import init, { attractor } from \"frond\"`.
+      `npm install path/to/target/package/frond`, then `import init, { attractor } from \"frond-ifs\"`.
 
   test [name ..] [-- test ..]
       Run every check but the last, or those whose group or step has one of these names:

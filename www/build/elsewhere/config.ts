@@ -21,7 +21,7 @@ const TEXTS: Readonly<Record<string, () => string | Promise<string>>> = {
   "example:react": async () =>
     (await transformWithOxc(PROGRAMS.react, "react.jsx", { jsx: { runtime: "automatic" } })).code,
   // The page has the element already.
-  "frond/view": () => "",
+  "frond-ifs/view": () => "",
 };
 
 /** What the texts name, as whoever installs it would find it. */
@@ -39,7 +39,7 @@ export default defineConfig({
   plugins: [examples],
   resolve: {
     alias: {
-      "frond/draw": fileURLToPath(new URL("../../pkg/frond.js", import.meta.url)),
+      "frond-ifs/draw": fileURLToPath(new URL("../../pkg/frond.js", import.meta.url)),
       "react/jsx-runtime": "preact/jsx-runtime",
       react: "preact/compat",
     },

@@ -75,7 +75,7 @@ IFrame("$SITE/embed.html#a=fern&b=tree", width=640, height=400)`,
   react: {
     title: "In React",
     about: "An element is an element; its events come by a reference. Here Preact runs the same text.",
-    code: `import "frond/view";
+    code: `import "frond-ifs/view";
 import { useEffect, useRef } from "react";
 
 export function Morph({ t, onVerdict }) {
@@ -109,7 +109,7 @@ view = {
     title: "Without an element: ten lines",
     about:
       "The package draws into any canvas, decides, plans paths, fits outlines; in the browser and in Node.",
-    code: `import init, { presets, rasterize } from "frond/draw";
+    code: `import init, { presets, rasterize } from "frond-ifs/draw";
 
 await init();
 const fern = presets().find(({ id }) => id === "fern");

@@ -1,4 +1,4 @@
-/** `frond/pool`: functions of the package that take their time, in workers of its own. */
+/** `frond-ifs/pool`: functions of the package that take their time, in workers of its own. */
 import type { Locus, LocusOptions } from "#wasm/api";
 import { Lane } from "#workers/lanes/lane";
 import type { WorkerLike } from "#workers/lanes/task";

@@ -1,4 +1,4 @@
-/** `import "frond/view"` defines the element `<frond-view>`; in a page, the script alone does. */
+/** `import "frond-ifs/view"` defines the element `<frond-view>`; in a page, the script alone does. */
 
 export interface Told {
   verdict: "connected" | "touching" | "disconnected" | "undecided" | "no-attractor";

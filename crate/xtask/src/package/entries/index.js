@@ -1,6 +1,6 @@
 // All that needs no graphics card and is done at once: what describes and draws (frond.js), closed curves and graphs
-// (frond-curve.js), and what decides and proves (frond-proof.js). Each may be had alone, as frond/draw, frond/curve and
-// frond/proof, with an init() of its own; so may what traces and fits, as frond/fit.
+// (frond-curve.js), and what decides and proves (frond-proof.js). Each may be had alone, as frond-ifs/draw,
+// frond-ifs/curve and frond-ifs/proof, with an init() of its own; so may what traces and fits, as frond-ifs/fit.
 import loadFrond, { initSync as startFrond } from "./frond.js";
 import loadCurve, { initSync as startCurve } from "./frond-curve.js";
 import loadProof, { initSync as startProof } from "./frond-proof.js";

@@ -2,7 +2,8 @@
 export * from "../renderer.js";
 
 async function noCanvas() {
-  const message = "Node has no canvas. Draw with rasterize() of frond/draw, or SpacePicture of frond/space.";
+  const message =
+    "Node has no canvas. Draw with rasterize() of frond-ifs/draw, or SpacePicture of frond-ifs/space.";
   throw Object.assign(new Error(message), { code: "no-canvas" });
 }
 
