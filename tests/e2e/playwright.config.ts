@@ -70,7 +70,7 @@ export default defineConfig({
   // A test that passes the second time is listed as flaky.
   retries: process.env["CI"] === undefined ? 0 : 1,
   forbidOnly: process.env["CI"] !== undefined,
-  reporter: [["list"]],
+  reporter: [["list"], ["./failed.ts"]],
   use: {
     ...devices["Desktop Chrome"],
     baseURL: address,

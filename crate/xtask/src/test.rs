@@ -1,5 +1,6 @@
 //! Every check, as named steps in groups: the cheap ones first.
 
+use std::fs;
 use std::net::TcpListener;
 use std::path::Path;
 use std::process::Command;
@@ -408,13 +409,18 @@ fn shaders_by(backend: &str, names: &[String], driver: &Path) -> Outcome {
     run_beside(&mut command)
 }
 
-/// One project of tests/e2e/playwright.config.ts.
+/// One project of tests/e2e/playwright.config.ts. What failed is said once more, at the end of all.
 fn play(project: &str, names: &[String]) -> Outcome {
+    let failed = target().join(format!("e2e-{project}-failed.txt"));
+    // That of another run.
+    let _ = fs::remove_file(&failed);
     run(Tool::Playwright
         .command(&format!("test --config tests/e2e/playwright.config.ts --project={project}"))
         .args(names)
         .env("FROND_CHROMIUM", browser::chromium()?)
-        .env("FROND_PORT", free_port()?.to_string()))
+        .env("FROND_PORT", free_port()?.to_string())
+        .env("FROND_FAILED", &failed))
+    .map_err(|problem| format!("{problem}\n{}", fs::read_to_string(&failed).unwrap_or_default()).into())
 }
 
 /// A port that nothing listens on, so that no other server is tested by mistake.
