@@ -1,4 +1,11 @@
 /** The pages that unfold where a link is sent: each shape, figure and lesson has one. */
+import { execFileSync } from "node:child_process";
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { runInNewContext } from "node:vm";
+import { brotliDecompressSync, gunzipSync } from "node:zlib";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { MapRow } from "../../crate/web/src/api";
 import { PROGRAMS } from "../../www/build/elsewhere/ways";
@@ -72,7 +79,7 @@ describe("the pages of the site", () => {
       const built = ["", "index.html", "embed.html", "frond-view.js", ...programs];
       const names = new Set([...all.map(({ fileName }) => fileName), ...built]);
       for (const { fileName, source } of all) {
-        if (!fileName.endsWith(".html")) continue;
+        if (!fileName.endsWith(".html") || fileName === "404.html") continue;
         // What stands in samples is text.
         const html = String(source).replace(/<code>.*?<\/code>/gs, "");
         const named = [...html.matchAll(/(?:src|href|poster|content)="([^"#]*)(?:#[^"]*)?"/g)]
@@ -105,6 +112,54 @@ describe("the pages of the site", () => {
     expect(siteOf(undefined)).toBe("");
     for (const wrong of ["example.org", "ftp://example.org/"])
       expect(() => siteOf(wrong)).toThrow("FROND_SITE");
+  });
+
+  it("lead back from whatever address a host does not know, and to the morph where its # was written as %23", () => {
+    const page = text(files(""), "404.html");
+    // It is shown at any address: a relative one would lead elsewhere.
+    expect(page).not.toMatch(/ src=|<link/);
+    const [, script = ""] = /<script>(.*)<\/script>/s.exec(page) ?? [];
+    const led = (address: string) => {
+      const anchor = { href: "./" };
+      const { origin, pathname, search } = new URL(address);
+      runInNewContext(script, {
+        document: { querySelector: () => anchor },
+        location: { origin, pathname, search },
+      });
+      return anchor.href;
+    };
+    const site = "https://example.org/frond/";
+    for (const lost of ["shape/nope.html", "nope.html", "figure/", "assets/old-1234.js", "shape/a/b.html"])
+      expect(led(site + lost)).toBe(site);
+    expect(led("https://example.org/nope")).toBe("https://example.org/");
+    for (const mangled of ["%23a=fern&b=tree", "index.html%23a=fern&b=tree", "?utm_source=x%23a=fern&b=tree"])
+      expect(led(site + mangled)).toBe(`${site}#a=fern&b=tree`);
+    expect(led(`${site}embed.html%23a=fern`)).toBe(`${site}embed.html#a=fern`);
+    expect(led("https://example.org//evil.example/%23x")).toBe("https://example.org//evil.example/#x");
+    expect(text(files(site), "404.html")).toContain(`href="${site}"`);
+  });
+
+  it("lie packed beside themselves for hosts that send those, and unpack to what they are", async () => {
+    const folder = mkdtempSync(join(tmpdir(), "frond-packed-"));
+    mkdirSync(join(folder, "assets"));
+    const text = "a morph in one piece; ".repeat(200);
+    const names = ["index.html", "assets/page.js", "assets/frond_bg.wasm"];
+    for (const name of names) writeFileSync(join(folder, name), text);
+    for (const name of ["fern.png", "gone.js.br"]) writeFileSync(join(folder, name), text);
+    writeFileSync(join(folder, "small.css"), "a{}");
+    execFileSync(process.execPath, [
+      fileURLToPath(new URL("../../www/build/packed.mjs", import.meta.url)),
+      folder,
+    ]);
+    const made = readdirSync(folder, { recursive: true })
+      .map(String)
+      .filter((name) => /\.(br|gz)$/.test(name));
+    expect(made.sort()).toEqual(names.flatMap((name) => [`${name}.br`, `${name}.gz`]).sort());
+    for (const name of names) {
+      expect(brotliDecompressSync(readFileSync(join(folder, `${name}.br`))).toString()).toBe(text);
+      expect(gunzipSync(readFileSync(join(folder, `${name}.gz`))).toString()).toBe(text);
+    }
+    rmSync(folder, { recursive: true });
   });
 
   it("have pictures of the shape, as PNG", async () => {

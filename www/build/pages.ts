@@ -8,6 +8,7 @@ import { escaped, folderAddress } from "../src/format/html.ts";
 import { ways } from "./elsewhere/ways.ts";
 import { figurePictures } from "./figure-pictures.ts";
 import { listedFigures } from "./figures.ts";
+import { missingPage } from "./missing.ts";
 import { type Drawer, drawer } from "./pictures.ts";
 import { policyOf } from "./policy.ts";
 import { theorems } from "./theorems.ts";
@@ -137,6 +138,7 @@ export function sitePages(site: string, drawing: Drawer): SiteFile[] {
       source: picture(drawn(named("maple").maps), { width: side, height: side }, free),
     })),
     { fileName: "manifest.webmanifest", source: manifest() },
+    { fileName: "404.html", source: missingPage(site) },
   ];
   const described: Described[] = [];
   for (const { id, name, about, maps } of gallery) {

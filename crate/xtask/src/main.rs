@@ -96,6 +96,7 @@ fn build(steps: &mut Steps, arguments: &[String]) -> Outcome {
     command::no_arguments("build", arguments)?;
     site::build(steps)?;
     steps.run("size", size::gate)?;
+    steps.run("pack what hosts send", site::pack)?;
     println!("\nThe site is in dist/, the package in target/package/frond.");
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::command::{Outcome, root, run};
+use crate::command::{Outcome, command, root, run};
 use crate::node::Tool;
 use crate::package;
 use crate::stamp;
@@ -21,6 +21,11 @@ pub fn build(steps: &mut Steps) -> Outcome {
         relative()?;
         package::write()
     })
+}
+
+/// Writes the files of the site packed beside them, for hosts that send those.
+pub fn pack() -> Outcome {
+    run(command("node").args(["www/build/packed.mjs", "dist"]))
 }
 
 /// Refuses a page that asks for something from the root of its host: it would not work from a sub-folder.
