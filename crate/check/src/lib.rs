@@ -117,3 +117,8 @@ pub use joined::{CheckedConnected, check_connected};
 pub use proof::{CheckedProof, Proof};
 pub use refused::Refused;
 pub use replay::{Checked, check};
+
+/// Runs the example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

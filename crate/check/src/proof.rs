@@ -11,6 +11,7 @@ use crate::work::{WORK, Work};
 
 /// A certificate of either kind.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Proof {
     /// The attractor is in several pieces.
     Disconnected(Certificate),

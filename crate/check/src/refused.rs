@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Why a certificate is refused. Maps, corners and pairs are counted from 1 in messages, from 0 in fields.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Refused {
     /// It is too large to be checked in reasonable time. Work with its numbers is counted in multiplications of machine
     /// words ("digits to multiply").

@@ -7,6 +7,7 @@ pub const MAX_MAPS: usize = 64;
 
 /// Why a list of maps is no iterated function system that can be drawn.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum IfsError {
     /// The list is empty.
     #[error("There are no maps. Add at least one.")]

@@ -26,6 +26,7 @@ use crate::linear::affine::Affine3;
 
 /// Why the product of two systems cannot be worked out.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum IntersectionError {
     /// Their maps do not share one linear part.
     #[error("The maps of both shapes must all share one matrix; map {} of the {which} shape has another.", .map + 1)]

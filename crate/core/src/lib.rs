@@ -64,6 +64,12 @@ mod order;
 mod projection;
 mod sample;
 mod sort;
+/// What Frond's other crates use as well. It may change at any time.
+#[doc(hidden)]
+pub mod shared {
+    pub use crate::order::{Ranked, Total};
+    pub use crate::sort::{is_permutation, sort_indices};
+}
 #[cfg(test)]
 mod testing;
 #[cfg(test)]
@@ -88,6 +94,8 @@ pub use directed::map::DirectedMap;
 pub use directed::morph::{DirectedMorph, DirectedMorphError};
 pub use directed::system::DirectedIfs;
 pub use error::{IfsError, MAX_MAPS};
+/// Vectors and matrices, of the version that the interface is written in.
+pub use glam;
 pub use ifs::contraction::{Contraction, Contraction3};
 pub use ifs::fractal_dimension::{affinity_dimension, similarity_dimension};
 pub use ifs::system::{Ifs, Ifs3};
@@ -105,7 +113,6 @@ pub use morph::route::{Route, RouteKind, routes};
 pub use morph::turn3::Turn3;
 pub use morph::ways::ways;
 pub use morph::zipper::{Joints, joints};
-pub use order::{Ranked, Total};
 pub use projection::epsilon::{EpsilonFrame, EpsilonProjection, epsilon_projection};
 pub use projection::parallel::{Plane, ProjectError, exact_projection, invariant_directions};
 pub use sample::adaptive_cut2::{CutOutcome, adaptive_cut};
@@ -114,4 +121,8 @@ pub use sample::box_dimension::{BoxCount, box_dimension};
 pub use sample::chaos_game2::ChaosGame;
 pub use sample::chaos_game3::ChaosGame3;
 pub use sample::colouring::Colouring;
-pub use sort::{is_permutation, sort_indices};
+
+/// Runs the example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -7,6 +7,7 @@ use crate::mesh::MeshError;
 
 /// What is wrong with a bend.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum BendError {
     /// The shape is none: no maps, too many, or such that nothing is left of them.
     #[error(transparent)]

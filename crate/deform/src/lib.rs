@@ -65,6 +65,8 @@ pub use continuity::corners::Corners;
 pub use continuity::corners3::Corners3;
 pub use continuity::lattice::Lattice;
 pub use error::BendError;
+/// Vectors and matrices, of the version that the interface is written in.
+pub use glam;
 pub use mesh::{Mesh, MeshError};
 pub use mesh3::Mesh3;
 pub use ring::RingBend;
@@ -77,3 +79,8 @@ pub use shuffle::field::{Displacement, Field, Place};
 pub use shuffle::spin::{Spin, Turning};
 pub use shuffle::weight::weights;
 pub use skin::{Pull, Skin, Turns};
+
+/// Runs the example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

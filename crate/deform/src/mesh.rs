@@ -20,6 +20,7 @@ pub struct Mesh {
 
 /// Why there is no such mesh.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum MeshError {
     /// Too few or too many control points.
     #[error("A mesh of {columns} x {rows} control points cannot be made. Give 2 to 16 along each side.")]

@@ -69,6 +69,7 @@ impl Default for CollageOptions {
 
 /// Why a ring of points cannot be fitted so.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum CollageError {
     /// A copied part must be longer than the piece and not longer than the ring: two maps and two intervals a map.
     #[error(

@@ -19,6 +19,7 @@ use knot_ring::Ring;
 
 /// Why two curves are not brought together.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum MorphError {
     /// A curve is not [sound](ClosedCurve::is_sound).
     #[error(

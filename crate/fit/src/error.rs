@@ -7,6 +7,7 @@ pub const MAX_POINTS: usize = 1 << 20;
 
 /// Why there is no fractal function or curve. Indices count from 0 here and from 1 in messages.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum FunctionError {
     /// Fewer than two points, or no piece.
     #[error("There are {count} points, and a curve needs two or more. Add some.")]

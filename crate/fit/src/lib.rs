@@ -85,6 +85,8 @@ pub use fractal::curve::{FractalCurve, Side};
 pub use fractal::function::{Dimension, FractalFunction};
 pub use fractal::piece::{Piece, spectral_norm};
 pub use fractal::recurrent::Recurrent;
+/// Vectors and matrices, of the version that the interface is written in.
+pub use glam;
 pub use grown::{island, maple_leaf, noisy, oak_leaf, sugar_maple, white_oak};
 pub use hough::{
     Assembly, BINS, Candidate, Cluster, Components, Features, FirstPass, Found, Hough, HoughError,
@@ -108,3 +110,8 @@ pub use spline::{
     LEAST_BYTES, MAX_NODES, MOST_BYTES, Node, Spline, SplineError, SplineFit, SplineFitter, StepLaw,
     fit_within,
 };
+
+/// Runs the example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -29,6 +29,7 @@ use crate::error::MAX_POINTS;
 
 /// Why points make no outline.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum OutlineError {
     /// Fewer than three points that differ.
     #[error("The outline has {count} points that differ, and it needs three or more. Add some.")]

@@ -31,6 +31,7 @@ impl Default for Bounds {
 
 /// Why a locus cannot be sampled so.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum GridError {
     /// No samples, or more than [`LocusGrid::LARGEST`] along a side.
     #[error("A locus of {width} x {height} samples cannot be made. Give 1 to 8192 along each side.")]

@@ -102,6 +102,8 @@ pub use evidence::reason::{Link, LinkKind, Reason};
 pub use evidence::separate::Separation;
 pub use family::{Drift, Family, Polygons, Slice};
 pub use frond_core::along;
+/// Vectors and matrices, of the version that the interface is written in.
+pub use glam;
 pub use grid::{Bounds, GridError, Locus, LocusGrid, Pass, Tile};
 pub use overlap_graph::{Components, OverlapGraph};
 pub use path::check::{PathCheck, check_path};
@@ -116,3 +118,8 @@ pub use space::{
     find_path3, locus3, tile3,
 };
 pub use verdict::{Bounded, Ellipse, Gap, Options, ReasonKind, Sample, State, Verdict};
+
+/// Runs the example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -18,6 +18,7 @@ pub use map::SingleMap;
 
 /// Why a locus is not one for single precision.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SingleError {
     /// Too many maps for the memory of one invocation.
     #[error("A graphics card decides 1 to 8 maps, not {maps}. Use the processor.")]

@@ -190,6 +190,7 @@ impl Bounded {
 
 /// The kinds of reasons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum ReasonKind {
     /// There is one map.
     OneMap,

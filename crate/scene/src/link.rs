@@ -15,7 +15,8 @@
 
 use std::fmt::Write as _;
 
-use frond_core::{Colouring, MAX_MAPS, Mode, is_permutation, pair};
+use frond_core::shared::is_permutation;
+use frond_core::{Colouring, MAX_MAPS, Mode, pair};
 
 use crate::preset::{Row, preset};
 use crate::scene::{PathKind, Scene, Shape, Tool, Window};

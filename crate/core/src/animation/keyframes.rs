@@ -16,6 +16,7 @@ use crate::morph::options::{MorphError, MorphOptions};
 /// How a value goes from one key to the next.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum Ease {
     /// At an even pace.
     #[default]
@@ -70,6 +71,7 @@ pub struct Key3<T> {
 
 /// Why a time line cannot be played.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum MotionError {
     /// There is no key with parameters.
     #[error("There is no key with a shape. Add one.")]

@@ -14,6 +14,7 @@ pub(crate) const LARGEST_NUMERATOR: i64 = 1_000_000_000_000;
 
 /// Why digits make no shape, or what two shapes share is not worked out.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum DigitError {
     /// There is no digit.
     #[error("There are no digits. Give at least one.")]

@@ -15,6 +15,7 @@ pub const MOST_FOUND_MAPS: usize = 8192;
 
 /// Why states and maps are no graph-directed system that can be drawn.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum DirectedError {
     /// There is no state.
     #[error("There are no states. Add at least one.")]

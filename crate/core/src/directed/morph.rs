@@ -13,6 +13,7 @@ use crate::morph::options::{HalfTurns, Mode, MorphOptions};
 
 /// Why two graph-directed systems cannot be morphed.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum DirectedMorphError {
     /// Their graphs are too different.
     #[error(

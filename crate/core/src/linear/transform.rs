@@ -9,6 +9,7 @@ use crate::error::IfsError;
 
 /// Why a shape cannot be moved as asked.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum TransformError {
     /// A number of the transform is NaN or infinite, or an axis has no direction.
     #[error("The transform holds a number that is not finite. Give numbers, and an axis that is not zero.")]

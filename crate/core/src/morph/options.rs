@@ -64,6 +64,7 @@ impl MorphOptions {
 
 /// Why two systems cannot be morphed as asked.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum MorphError {
     /// They have different numbers of maps.
     #[error("The first shape has {from} maps and the last {to}. Bring them to one number first (pair them).")]

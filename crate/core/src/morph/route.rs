@@ -13,6 +13,7 @@ use crate::morph::zipper::joined;
 
 /// What a [`Route`] does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum RouteKind {
     /// The maps as they are given, none of which has to be turned over.
     Plain,
@@ -32,6 +33,23 @@ pub enum RouteKind {
     Joints,
     /// The last shape lies elsewhere: turned, moved, larger or smaller.
     Place,
+}
+
+impl RouteKind {
+    /// The word for it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Plain => "plain",
+            Self::Collapse => "collapse",
+            Self::Correspondence => "correspondence",
+            Self::Symmetry => "symmetry",
+            Self::Mirror => "mirror",
+            Self::Refine => "refine",
+            Self::Double => "double",
+            Self::Joints => "joints",
+            Self::Place => "place",
+        }
+    }
 }
 
 /// A way to bring two shapes to a morph: maps that have the shapes for attractors, and how they are matched.

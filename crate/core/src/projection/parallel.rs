@@ -17,6 +17,7 @@ pub struct Plane {
 
 /// Why a projection cannot be made.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum ProjectError {
     /// The direction is zero or not finite.
     #[error("The direction to look along must be three finite numbers that are not all 0.")]

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 /// What colours mean.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum Colouring {
     /// The first letter of a point's address: each map has a colour.
     #[default]

@@ -1,6 +1,6 @@
 //! Convex polygons.
 
-use frond_core::sort_indices;
+use frond_core::shared::sort_indices;
 use glam::DVec2;
 
 /// Twice the area of a triangle, positive where it goes round counter-clockwise.

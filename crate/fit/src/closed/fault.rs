@@ -5,6 +5,7 @@ use crate::fractal::piece::spectral_norm;
 
 /// What is wrong with a curve. Knots and edges count from 1 in messages.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum CurveFault {
     /// Fewer than three knots: how many.
     Few(usize),

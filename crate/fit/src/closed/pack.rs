@@ -26,6 +26,7 @@ const SMALLEST_CURVE: f64 = 1e-100;
 
 /// Why a curve is not packed or unpacked.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PackError {
     /// The first byte is another one.
     #[error("These bytes are no curve that this version can read. Take the whole link, or update.")]

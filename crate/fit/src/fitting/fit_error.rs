@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Why an outline is not fitted.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FitError {
     /// Not between 12 and 2000.
     #[error("A fit has 12 to 2000 numbers, and {numbers} were asked for. Choose another number.")]

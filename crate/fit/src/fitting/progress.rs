@@ -4,6 +4,7 @@ use crate::closed::ClosedCurve;
 
 /// What a fitter is at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Stage {
     /// Polygons: the first usable fit, then the best straight one.
     Straight,
@@ -15,6 +16,18 @@ pub enum Stage {
     Polish,
     /// There is nothing more to do.
     Done,
+}
+
+impl Stage {
+    /// The word for it. What is done was polished last.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Straight => "straight",
+            Self::Copies => "copies",
+            Self::Trade => "trade",
+            Self::Polish | Self::Done => "polish",
+        }
+    }
 }
 
 /// How far a fitter has come.

@@ -1,6 +1,6 @@
 //! Fractal functions: fractal curves with one coordinate.
 
-use frond_core::sort_indices;
+use frond_core::shared::sort_indices;
 use glam::{DMat2, DVec2};
 
 use crate::error::FunctionError;

@@ -1,6 +1,6 @@
 //! Clusters of votes, and what they are.
 
-use frond_core::sort_indices;
+use frond_core::shared::sort_indices;
 
 use super::echo::{Letter, Words};
 use super::features::Features;

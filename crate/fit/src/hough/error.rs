@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Why nothing is counted.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum HoughError {
     /// Fewer than three feature points.
     #[error("There are {count} feature points, and three are the least. Take more.")]

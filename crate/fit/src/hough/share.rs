@@ -1,6 +1,6 @@
 //! The second pass in parts, for workers that share it.
 
-use frond_core::sort_indices;
+use frond_core::shared::sort_indices;
 
 use super::cluster::Cluster;
 use super::features::Features;

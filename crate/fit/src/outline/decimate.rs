@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use frond_core::Total;
+use frond_core::shared::Total;
 use glam::DVec2;
 
 use super::Outline;

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Why a file gives neither outlines nor a series.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum ReadError {
     /// No bytes, or blanks only.
     #[error("The file is empty. Choose another.")]

@@ -4,6 +4,7 @@ use super::text::{head, past_remarks};
 
 /// What a file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FileKind {
     /// A picture made of pixels that browsers decode.
     Picture(&'static str),

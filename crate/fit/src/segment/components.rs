@@ -1,6 +1,6 @@
 //! Pieces of a mask, and the holes in them.
 
-use frond_core::sort_indices;
+use frond_core::shared::sort_indices;
 
 use super::binary_image::Bits;
 

@@ -19,6 +19,7 @@ pub enum Surround {
 
 /// Something that may be amiss with a mask or an outline, though there is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Notice {
     /// The piece is cut by the border of the picture.
     TouchesBorder,
@@ -120,6 +121,7 @@ impl Notice {
 
 /// Why a picture cannot be traced.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum TraceError {
     /// A side of no pixels.
     #[error("The picture has no pixels. Choose another.")]

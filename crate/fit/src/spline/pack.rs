@@ -28,6 +28,7 @@ const MOST_BITS: u64 = 48;
 
 /// Why a curve is not packed or unpacked.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SplineError {
     /// The first byte is another one, or there is none.
     #[error("These bytes are no curve that this version can read. Take the whole link, or update.")]

@@ -43,6 +43,7 @@ impl Default for IndexBufferOptions {
 
 /// Why an index buffer cannot be filled.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum IndexBufferError {
     /// No pixels, or too many.
     #[error("An index buffer of {size} pixels a side cannot be made. Give 1 to 8192.")]

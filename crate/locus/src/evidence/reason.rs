@@ -20,6 +20,7 @@ use crate::verdict::ReasonKind;
 
 /// What holds two pieces together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum LinkKind {
     /// A point that both have.
     Point,

@@ -10,7 +10,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::{ControlFlow, Range};
 
-use frond_core::Total;
+use frond_core::shared::Total;
 
 use crate::overlap_graph::Components;
 use crate::support::extremes::{larger, lesser};

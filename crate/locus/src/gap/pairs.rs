@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use frond_core::Total;
+use frond_core::shared::Total;
 
 use crate::gap::spanning_tree::SpanningTree;
 use crate::verdict::Gap;

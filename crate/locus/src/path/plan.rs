@@ -44,6 +44,7 @@ impl PathPlan {
 
 /// Why no path can be planned.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum PathError {
     /// The locus does not reach (0, 0) and (1, 1).
     #[error("The locus does not hold both (0, 0) and (1, 1). Compute it over a larger rectangle.")]

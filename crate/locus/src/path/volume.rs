@@ -3,7 +3,8 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use frond_core::{Affine2, Morph, Ranked, Total};
+use frond_core::shared::{Ranked, Total};
+use frond_core::{Affine2, Morph};
 use glam::DVec3;
 
 use crate::decide::{Scratch, decide};

@@ -2,7 +2,8 @@
 
 use std::collections::BinaryHeap;
 
-use frond_core::{Affine2, Morph, Ranked, Total};
+use frond_core::shared::{Ranked, Total};
+use frond_core::{Affine2, Morph};
 use glam::{DVec2, DVec3};
 
 use crate::decide::{Scratch, decide_bounds};

@@ -10,6 +10,7 @@ use crate::space::shared_points::meetings;
 
 /// The kinds of reasons in space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Reason3Kind {
     /// There is one map.
     OneMap,

@@ -2,7 +2,8 @@
 
 use std::collections::BinaryHeap;
 
-use frond_core::{Affine2, Ranked, Total, hash};
+use frond_core::shared::{Ranked, Total};
+use frond_core::{Affine2, hash};
 use glam::DVec2;
 
 use crate::picture::window::Window;

@@ -4,8 +4,8 @@
 
 use frond_fit::{
     ArcCopy, ClosedCurve, CollageFit, CollageOptions, DRAWING_LEVELS, DRAWING_TOLERANCE, Fitter,
-    MAX_PREPARED, Outline, PackError, Stage, bezier, crossings, features, fourier, island,
-    least_squares_polyline, maple_leaf, noisy, oak_leaf, split_polyline, sugar_maple, white_oak,
+    MAX_PREPARED, Outline, PackError, bezier, crossings, features, fourier, island, least_squares_polyline,
+    maple_leaf, noisy, oak_leaf, split_polyline, sugar_maple, white_oak,
 };
 use glam::DVec2;
 use js_sys::Date;
@@ -151,14 +151,8 @@ impl CurveFit {
         while !self.fitter.is_done() && Date::now() < end {
             progress = self.fitter.step();
         }
-        let stage = match progress.stage {
-            Stage::Straight => "straight",
-            Stage::Copies => "copies",
-            Stage::Trade => "trade",
-            Stage::Polish | Stage::Done => "polish",
-        };
         object(&[
-            ("stage", stage.into()),
+            ("stage", progress.stage.name().into()),
             ("share", progress.share.into()),
             ("rms", progress.rms.into()),
             ("done", self.fitter.is_done().into()),

@@ -1,6 +1,6 @@
 //! Ways from one shape to another: which map becomes which, and what maps they may have.
 
-use frond_core::{Candidate, Morph, Route, RouteKind};
+use frond_core::{Candidate, Morph, Route};
 use frond_locus::RateOptions;
 use js_sys::Array;
 use serde::Deserialize;
@@ -132,19 +132,8 @@ pub fn ways(
 }
 
 fn write_route(route: &Route) -> Result<JsValue, JsValue> {
-    let kind = match route.kind {
-        RouteKind::Plain => "plain",
-        RouteKind::Collapse => "collapse",
-        RouteKind::Correspondence => "correspondence",
-        RouteKind::Symmetry => "symmetry",
-        RouteKind::Mirror => "mirror",
-        RouteKind::Refine => "refine",
-        RouteKind::Double => "double",
-        RouteKind::Joints => "joints",
-        RouteKind::Place => "place",
-    };
     let mut fields = vec![
-        ("kind", kind.into()),
+        ("kind", route.kind.name().into()),
         ("about", (&*route.about).into()),
         ("from", write(&rows(&route.from))?),
         ("to", write(&rows(&route.to))?),
