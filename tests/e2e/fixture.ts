@@ -10,11 +10,10 @@ import { listen, Studio } from "./studio";
 
 /**
  * What the software GPU's driver says about its own speed, Chromium about canvases that the tests themselves read more
- * than once, and Playwright about the service worker that it does not let in.
+ * than once and about having no WebGPU, and Playwright about the service worker that it does not let in.
  */
-const driver = /GL Driver Message|GroupMarkerNotSet|willReadFrequently|registration blocked by Playwright/;
-/** Chromium where it has no WebGPU, each time that it is asked: a page asks once. */
-const noWebGpu = /No available adapters/;
+const driver =
+  /GL Driver Message|GroupMarkerNotSet|willReadFrequently|No available adapters|registration blocked by Playwright/;
 
 interface Fixtures {
   /** What a test provokes: `test.use({ expected: /device lost/ })`. */
@@ -86,17 +85,11 @@ export const test = base.extend<Fixtures, { tab: Tab }>({
   quiet: [
     async ({ page, expected }, use) => {
       const complaints: string[] = [];
-      // What the page before has to say may come after the next has begun: all that were opened are counted together.
-      let [asked, opened] = [0, 0];
       const complain = (text: string) => {
-        if (noWebGpu.test(text) && ++asked <= Math.max(1, opened)) return;
         if (!driver.test(text) && !expected?.test(text)) complaints.push(text);
       };
       const onConsole = (message: ConsoleMessage) => {
         if (message.type() === "error" || message.type() === "warning") complain(message.text());
-      };
-      const onRequest = (request: Request) => {
-        if (request.isNavigationRequest() && request.frame() === page.mainFrame()) opened++;
       };
       const onError = (error: Error) => complain(String(error));
       const onFailure = (request: Request) => {
@@ -107,13 +100,11 @@ export const test = base.extend<Fixtures, { tab: Tab }>({
         if (response.status() >= 400) complain(`${response.url()}: ${response.status()}`);
       };
       page.on("console", onConsole);
-      page.on("request", onRequest);
       page.on("pageerror", onError);
       page.on("requestfailed", onFailure);
       page.on("response", onResponse);
       await use(undefined);
       page.off("console", onConsole);
-      page.off("request", onRequest);
       page.off("pageerror", onError);
       page.off("requestfailed", onFailure);
       page.off("response", onResponse);
