@@ -43,13 +43,15 @@ export function Handed({ link, draft }: HandedProps) {
   const [report, setReport] = useState<readonly Line[]>([]);
   const say = (found: readonly Answers[], problems: Problems, others: readonly Line[] = []) => {
     const most = mostOf(found);
-    const arrivals = table.take(found, most);
-    setReport([...reportOf(arrivals, most ?? ""), ...problemLines(problems), ...others]);
+    const { arrivals, kept } = table.take(found, most);
+    const lines = [...reportOf(arrivals, most ?? ""), ...problemLines(problems), ...others];
+    // Who reads it may close the page.
+    void kept.then(() => setReport(lines));
   };
   const alone = useLink(link, draft, table, say);
-  const clear = () => {
+  const clear = async () => {
     setReport([]);
-    table.remove(shown);
+    await table.remove(shown);
     notify({
       kind: "info",
       text: `The answers to ${called(title)} were removed from this browser.`,
@@ -207,7 +209,7 @@ function Ways({ table, say, onReport }: WaysProps) {
       return { words: line?.words ?? otherCode(text), problem: true };
     }
     target.current ??= one.title;
-    const [arrival] = table.take([one], target.current);
+    const [arrival] = table.take([one], target.current).arrivals;
     // A code that is seen twice is no news at the end.
     if (arrival && arrival.outcome !== "same") heard.current.push(arrival);
     const words = arrival ? arrivalWords(arrival) : "";

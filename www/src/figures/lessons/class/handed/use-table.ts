@@ -17,11 +17,15 @@ export interface Answered {
   /** Why nothing is kept. */
   problem: string | null;
   show(title: string): void;
-  /** Takes answers in, and shows the table of the sheet that is named. */
-  take(found: readonly Answers[], title: string | undefined): Arrival[];
-  remove(gone: readonly Answers[]): void;
+  /**
+   * Takes answers in, and shows the table of the sheet that is named. `kept` resolves once the browser has kept them,
+   * or `problem` says why it has not.
+   */
+  take(found: readonly Answers[], title: string | undefined): { arrivals: Arrival[]; kept: Promise<void> };
+  /** They leave the table once the browser has let go of them: who sees them gone may close the page. */
+  remove(gone: readonly Answers[]): Promise<void>;
   /** Puts back what was removed. */
-  restore(gone: readonly Answers[]): void;
+  restore(gone: readonly Answers[]): Promise<void>;
 }
 
 export function useTable(): Answered {
@@ -34,8 +38,8 @@ export function useTable(): Answered {
     now.current = next;
     showAll(next);
   };
-  const after = (work: Promise<void>) =>
-    void work.then(
+  const after = (work: Promise<void>): Promise<void> =>
+    work.then(
       () => setProblem(null),
       (reason) => setProblem(reasonOf(reason)),
     );
@@ -66,17 +70,17 @@ export function useTable(): Answered {
       set(next);
       if (title !== undefined) show(title);
       const taken = arrivals.filter(({ outcome }) => outcome === "new" || outcome === "newer");
-      if (taken.length > 0) after(kept.keep(taken.map(({ answers }) => answers)));
-      return arrivals;
+      const keeping = taken.length > 0 ? after(kept.keep(taken.map(({ answers }) => answers))) : undefined;
+      return { arrivals, kept: keeping ?? Promise.resolve() };
     },
-    remove(gone) {
+    async remove(gone) {
       const keys = new Set(gone.map(keyOf));
+      await after(kept.remove(gone));
       set(now.current.filter((one) => !keys.has(keyOf(one))));
-      after(kept.remove(gone));
     },
-    restore(gone) {
+    async restore(gone) {
+      await after(kept.keep(gone));
       set(latest([...now.current, ...gone]));
-      after(kept.keep(gone));
     },
   };
 }
