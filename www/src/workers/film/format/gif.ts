@@ -1,6 +1,6 @@
 import { channels } from "../opaque";
-import { indexed, matcher, paletteOf } from "./gif-colours";
-import type { FilmSettings, Sink } from "./sink";
+import { indexed, matcher, type Palette, paletteOf } from "./gif-colours";
+import type { FilmSettings, FrameSize, Sink } from "./sink";
 
 /** One of the 256 means: as it was in the frame before. */
 const COLOURS = 255;
@@ -23,37 +23,67 @@ export async function gifSink({
   dither,
   samples = new Uint8ClampedArray(4),
 }: Omit<FilmSettings, "kind" | "bitrate">): Promise<Sink> {
-  const { GIFEncoder, quantize } = await import("gifenc");
-  const gif = GIFEncoder();
+  const { colours, rough } = await gifColours(samples, ground);
   const behind = ground === null ? null : channels(ground);
-  // The ground is most of many pictures: it is exactly what it is on the page.
-  const { colours, rough } = paletteOf(visible(samples), behind, COLOURS, quantize);
   const mixes = dither ?? rough;
   const nearest = matcher(colours);
+  const writer = await gifWriter({ width, height, fps, ground }, colours);
+  return {
+    async add(pixels) {
+      writer.add(gifIndices(mixes ? dithered(pixels, width, behind) : pixels, nearest, ground));
+    },
+    finish: async () => writer.finish(),
+    async drop() {},
+  };
+}
+
+/** The colours for frames like these samples. */
+export async function gifColours(samples: Uint8ClampedArray, ground: string | null): Promise<Palette> {
+  const { quantize } = await import("gifenc");
+  // The ground is most of many pictures: it is exactly what it is on the page.
+  return paletteOf(visible(samples), ground === null ? null : channels(ground), COLOURS, quantize);
+}
+
+/** The colour of each pixel, by its number. */
+export function gifIndices(
+  pixels: Uint8ClampedArray,
+  nearest: ReturnType<typeof matcher>,
+  ground: string | null,
+): Uint8Array<ArrayBuffer> {
+  const index = indexed(pixels, nearest);
+  // Nothing of a frame before shines through where this one is clear.
+  if (ground === null) clearOf(pixels, index);
+  return index;
+}
+
+/** Writes frames whose pixels are numbers of colours. */
+export async function gifWriter(
+  { width, height, fps, ground }: FrameSize & { ground: string | null },
+  colours: Palette["colours"],
+) {
+  const { GIFEncoder } = await import("gifenc");
+  const gif = GIFEncoder();
+  const opaque = ground !== null;
   const table = colours.map((colour) => [...colour]);
   while (table.length <= SAME) table.push([0, 0, 0]);
   let before: Uint8Array | null = null;
   let frame = 0;
   return {
-    async add(pixels) {
-      const index = indexed(mixes ? dithered(pixels, width, behind) : pixels, nearest);
-      // Nothing of a frame before shines through where this one is clear.
-      if (!behind) clearOf(pixels, index);
-      const written = before && behind ? changesSince(before, index) : index;
+    add(index: Uint8Array): void {
+      const written = before && opaque ? changesSince(before, index) : index;
       gif.writeFrame(written, width, height, {
         delay: 10 * gifDelay(frame, fps),
-        dispose: behind ? 1 : 2,
+        dispose: opaque ? 1 : 2,
         ...(before === null ? { palette: table, repeat: 0 } : {}),
-        ...(before === null && behind ? {} : { transparent: true, transparentIndex: SAME }),
+        ...(before === null && opaque ? {} : { transparent: true, transparentIndex: SAME }),
       });
       before = index;
       frame++;
     },
-    async finish() {
+    finish() {
       gif.finish();
       return gif.bytes();
     },
-    async drop() {},
   };
 }
 
