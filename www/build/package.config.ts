@@ -11,7 +11,11 @@ export default defineConfig({
     outDir: "target/package/parts",
     reportCompressedSize: false,
     lib: {
-      entry: { "pool-lanes": "www/src/package/pool.ts", command: "www/src/package/command/command.ts" },
+      entry: {
+        "pool-lanes": "www/src/package/pool.ts",
+        command: "www/src/package/command/command.ts",
+        "command-lanes": "www/src/package/command/worker.ts",
+      },
       formats: ["es"],
     },
   },

@@ -20,8 +20,11 @@ interface Hand {
   load: number;
 }
 
+/** Workers that are asked for tasks by name. */
+export type Lanes = ReturnType<typeof lanesOf>;
+
 /** `spawn` makes a worker whose inside is that of `performerFrom`. */
-export function poolOf(spawn: () => WorkerLike<null>, size: number) {
+export function lanesOf(spawn: () => WorkerLike<null>, size: number) {
   if (!(Number.isInteger(size) && size > 0))
     throw failure({ code: "bad-input", message: "The size of a pool is a whole number from 1 on." });
   const hands: Hand[] = Array.from({ length: size }, () => ({
@@ -64,6 +67,23 @@ export function poolOf(spawn: () => WorkerLike<null>, size: number) {
       });
   }
 
+  return {
+    size,
+    ask,
+    /** Tells apart what several workers are asked for. */
+    key: () => next++,
+    /** Ends the workers. What is under way is rejected. */
+    close() {
+      closed = true;
+      for (const { lane } of hands) lane.close();
+    },
+  };
+}
+
+export const poolOf = (spawn: () => WorkerLike<null>, size: number) => poolOn(lanesOf(spawn, size));
+
+/** The functions of the package, asked of these workers. */
+export function poolOn({ size, ask, key: another, close }: Lanes) {
   /** Rows of it side by side. */
   async function locus(ends: [unknown, unknown, LocusOptions], { signal, onProgress }: How): Promise<Locus> {
     const { width, height } = ends[2] ?? {};
@@ -79,7 +99,7 @@ export function poolOf(spawn: () => WorkerLike<null>, size: number) {
       )
     )
       return ask("call", whole, { ...(signal ? { signal } : {}) });
-    const key = next++;
+    const key = another();
     const rows = Math.max(1, Math.ceil(height / (PARTS * size)));
     const state = new Uint8Array(width * height);
     const gap = new Float32Array(width * height);
@@ -125,11 +145,7 @@ export function poolOf(spawn: () => WorkerLike<null>, size: number) {
   return {
     ...Object.fromEntries(names.map((name) => [name, (...args: unknown[]) => run(name, args)])),
     size,
-    /** Ends the workers. What is under way is rejected. */
-    close() {
-      closed = true;
-      for (const { lane } of hands) lane.close();
-    },
+    close,
   };
 }
 

@@ -3,7 +3,7 @@
 import type { LocusOptions } from "#wasm/api";
 import { performerOf } from "#workers/lanes/performer";
 import type { Context } from "#workers/lanes/task";
-import type { Picture3 } from "./command/system";
+import type { Picture3 } from "./command/modules";
 import type { Name } from "./names";
 
 type Proof = typeof import("../../pkg/frond-proof.js");
@@ -14,7 +14,7 @@ type Functions = Record<string, (...args: any[]) => unknown>;
 
 /** The modules, started when first asked for. */
 export type Sources = Record<"draw" | "proof" | "fit" | "space", () => Promise<unknown>>;
-type Hand = Context<number> & { sources: Sources };
+export type Hand = Context<number> & { sources: Sources };
 
 interface Rows {
   /** Tells loci apart, so that a worker prepares each only once. */
@@ -47,7 +47,7 @@ async function inParts<Made>(
   }
 }
 
-const tasks = {
+export const tasks = {
   async call(
     { sources }: Hand,
     { source, name, args }: { source: keyof Sources; name: Name; args: unknown[] },
@@ -92,25 +92,32 @@ const tasks = {
     return inParts(hand, new SplineFit(...(args as ConstructorParameters<Fit["SplineFit"]>)));
   },
   /** A complete picture of space. */
-  async rasterize3({ sources, breathe, transfer }: Hand, [picture]: [Picture3]) {
-    const { SpacePicture } = (await sources.space()) as Space;
-    const { objects, view, light, look } = picture;
-    const made = new SpacePicture(objects);
-    try {
-      const carve = made.carve(view, look.width * look.factor, look.height * look.factor);
-      try {
-        while (!carve.run(PIECES)) await breathe();
-        const pixels = carve.paint(light, look);
-        transfer(pixels.buffer);
-        return pixels;
-      } finally {
-        carve.free();
-      }
-    } finally {
-      made.free();
-    }
+  async rasterize3(hand: Hand, [picture]: [Picture3]) {
+    const pixels = await solidPixels(hand, picture);
+    hand.transfer(pixels.buffer);
+    return pixels;
   },
 };
+
+/** A complete picture of space, in parts. */
+export async function solidPixels(
+  { sources, breathe }: Pick<Hand, "breathe"> & { sources: Pick<Sources, "space"> },
+  { objects, view, light, look }: Picture3,
+) {
+  const { SpacePicture } = (await sources.space()) as Space;
+  const made = new SpacePicture(objects);
+  try {
+    const carve = made.carve(view, look.width * look.factor, look.height * look.factor);
+    try {
+      while (!carve.run(PIECES)) await breathe();
+      return carve.paint(light, look);
+    } finally {
+      carve.free();
+    }
+  } finally {
+    made.free();
+  }
+}
 
 export type Tasks = typeof tasks;
 

@@ -6,16 +6,6 @@ import type { Ifs, Scene, Shape } from "#wasm/api";
 import { Refusal } from "./options";
 import type { System } from "./system";
 
-/** What a link says. */
-export async function opened(link: string, system: System): Promise<Scene> {
-  const { decodeScene } = await system.draw();
-  const fragment = link.slice(link.indexOf("#") + 1);
-  if (!fragment.includes("=")) throw new Refusal(`"${link}" is no link. One looks like "a=fern&b=tree".`);
-  const { scene, problem } = decodeScene(fragment);
-  if (problem) throw new Refusal(`The link cannot be read: ${problem.message}`);
-  return scene;
-}
-
 const systemOf = ({ maps, weights }: Shape): Ifs => weighted(maps, weights);
 
 /** A morph as a link says it, and how to get on its way. */
@@ -51,7 +41,7 @@ export async function morphOf(scene: Scene, system: System) {
       return draw.interpolate(...ends, { ...morph, u, v, w });
     });
   };
-  return { draw, scene, ends, morph, at };
+  return { draw, scene, ends, morph, planned, at };
 }
 
 /** Maps with their name, and their colours where a link or a file gives them some. */

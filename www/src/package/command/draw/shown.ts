@@ -4,9 +4,12 @@ import { WHITE } from "#style/colours";
 import { palette } from "#style/palette";
 import type { Bend, DirectedIfs, Ifs, Scene } from "#wasm/api";
 import { shownObject } from "#workers/space/shown";
-import { bendOf, morphOf, type NamedMaps, withColours } from "./morph";
-import { Refusal } from "./options";
-import type { Draw, Pixels, System } from "./system";
+import type { Draw, Pixels } from "../modules";
+import { bendOf, morphOf, type NamedMaps, withColours } from "../morph";
+import { Refusal } from "../options";
+import type { Subject } from "../subject";
+import type { System } from "../system";
+import type { Drawing } from "./frame";
 
 export interface Look {
   width: number;
@@ -26,8 +29,10 @@ export interface Shown {
   still: string | null;
   /** The maps of a moment, where these are all that there is to see. */
   plain?: (t: number) => Promise<NamedMaps>;
+  /** The document, at this moment. */
+  at(moment: number): Scene;
   /** Makes ready what is needed for these moments; then each can be drawn. */
-  frames(moments: number[], look: Look): Promise<(i: number) => Promise<Pixels>>;
+  frames(moments: number[], look: Look): Promise<(i: number) => Drawing>;
 }
 
 /** How often the way is looked at for where the camera goes. */
@@ -39,21 +44,22 @@ const MORPH_SECONDS = 8;
 const TRIAL = 128;
 const TRIALS = 2;
 
-export function shownOf(scene: Scene, system: System): Promise<Shown> {
+export function shownOf({ scene, maps }: Subject, system: System): Promise<Shown> {
   if (scene.tool === "space") return spaceShown(scene, system);
   const { directed } = scene;
-  return directed ? directedShown(scene, directed, system) : planeShown(scene, system);
+  return directed ? directedShown(scene, directed, system) : planeShown(scene, maps, system);
 }
 
 /** Shapes of several states: the straight way from one to the other. */
 async function directedShown(
-  { mode, t, colouring, palette: own, tool }: Scene,
+  scene: Scene,
   { a, b }: NonNullable<Scene["directed"]>,
   system: System,
 ): Promise<Shown> {
+  const { mode, t, colouring, palette: own, tool } = scene;
   if (tool === "deform" || tool === "fit")
     throw new Refusal("Shapes of several states are shown by Morph. Open the link there and copy it again.");
-  const { directedFacts, interpolateDirected, rasterizeDirected } = await system.directed();
+  const { directedFacts, interpolateDirected } = await system.directed();
   const at = (moment: number): DirectedIfs => {
     if (moment <= 0) return a;
     return moment >= 1 ? b : interpolateDirected(a, b, { u: moment, v: moment, mode });
@@ -63,6 +69,7 @@ async function directedShown(
     t,
     round: false,
     still: null,
+    at: (moment) => ({ ...scene, t: moment }),
     async frames(moments, { width, height, ground }) {
       const looks = moments.length === 1 ? moments : Array.from({ length: LOOKS }, (_, i) => i / (LOOKS - 1));
       const boxes = looks.map((moment): Box | null => {
@@ -79,10 +86,10 @@ async function directedShown(
         colouring === "address"
           ? { level: STATE_LEVEL, palette: colours }
           : { level: 0, palette: colouring === "map" ? colours : colours.slice(0, 1) };
-      return async (i) => {
+      return (i) => {
         const moment = moments[i] ?? 0;
         const view = viewOf(boxAt(track, moment), width, height);
-        return rasterizeDirected(at(moment), { width, height, view, ...look }) as Pixels;
+        return { kind: "states", ifs: at(moment), options: { width, height, view, ...look } };
       };
     },
   };
@@ -91,23 +98,29 @@ async function directedShown(
 /** Maps that lead to the state that a colour tells. */
 const STATE_LEVEL = 3;
 
-async function planeShown(scene: Scene, system: System): Promise<Shown> {
+async function planeShown(scene: Scene, alone: NamedMaps | undefined, system: System): Promise<Shown> {
   const { draw, at } = await morphOf(scene, system);
   const bend = bendOf(scene);
   const { deform, tool, t } = scene;
   /** Time bends, and does not morph. */
   const bending = tool === "deform";
-  const mapsAt = (moments: number[]) => at(bending ? moments.map(() => t) : moments);
+  const mapsAt = async (moments: number[]) =>
+    // What a file holds is not taken apart and put together again.
+    alone ? moments.map(() => alone) : at(bending ? moments.map(() => t) : moments);
   const bendNow = (moment: number) => bend?.(bending ? moment : (deform?.phase ?? 0)) ?? null;
   const name = bending ? (t < 0.5 ? scene.a.name : scene.b.name) : `${scene.a.name} to ${scene.b.name}`;
+  const plain = async (moment: number) =>
+    alone ?? withColours((await mapsAt([moment]))[0] ?? { maps: [] }, name, scene);
+  const oneKey =
+    bending && (deform?.keys.length ?? 0) < 2 ? "it has one key frame, and so stands still" : null;
   return {
     seconds: bending && deform ? deform.seconds : MORPH_SECONDS,
     t: bending && deform ? deform.phase : t,
     round: bending && deform?.loop === true,
-    still: bending && (deform?.keys.length ?? 0) < 2 ? "it has one key frame, and so stands still" : null,
-    ...(bend
-      ? {}
-      : { plain: async (moment) => withColours((await mapsAt([moment]))[0] ?? { maps: [] }, name, scene) }),
+    still: alone ? "a file of maps is one shape, and stands still" : oneKey,
+    ...(bend ? {} : { plain }),
+    at: (moment) =>
+      bending && deform ? { ...scene, deform: { ...deform, phase: moment } } : { ...scene, t: moment },
     async frames(moments, { width, height, ground }) {
       const looks = moments.length === 1 ? moments : Array.from({ length: LOOKS }, (_, i) => i / (LOOKS - 1));
       const seen = await mapsAt(looks);
@@ -115,7 +128,6 @@ async function planeShown(scene: Scene, system: System): Promise<Shown> {
       const there = boxes.filter((box) => box !== null);
       const track = bending && there.length > 0 ? stillTrack(union(there), 2) : calmTrack(boxes);
       const systems = await mapsAt(moments);
-      const pool = system.pool();
       const lightGround = ground === null || !dark(ground);
       const colours = scene.palette ?? palette(lightGround ? "light" : "dark");
       return (i) => {
@@ -128,13 +140,14 @@ async function planeShown(scene: Scene, system: System): Promise<Shown> {
           lightGround,
           ...(now ? { bend: now } : {}),
         };
-        return pool.rasterize(systems[i] ?? { maps: [] }, { width, height, view, ...style });
+        return { kind: "plane", ifs: systems[i] ?? { maps: [] }, options: { width, height, view, ...style } };
       };
     },
   };
 }
 
-async function spaceShown({ space: part }: Scene, system: System): Promise<Shown> {
+async function spaceShown(scene: Scene, system: System): Promise<Shown> {
+  const { space: part } = scene;
   const { SpaceMotion, defaultSpace, defaultView, unpackSpace } = await system.space();
   const space = part?.packed ? unpackSpace(part.packed) : defaultSpace();
   const line = space.timeline && space.timeline.keys.length > 0 ? space.timeline : null;
@@ -144,6 +157,7 @@ async function spaceShown({ space: part }: Scene, system: System): Promise<Shown
     t: Math.min(1, (part?.at ?? 0) / seconds),
     round: line?.loop === "round",
     still: line ? null : "it has no key frames, and so stands still",
+    at: (moment) => ({ ...scene, space: { packed: "", ...part, at: moment * seconds } }),
     async frames(moments, { width, height, ground }) {
       const motion = new SpaceMotion(space);
       const frames = moments.map((moment) => motion.at(moment * seconds));
@@ -152,14 +166,13 @@ async function spaceShown({ space: part }: Scene, system: System): Promise<Shown
       // Four looks for each pixel, where there is room for so many.
       const factor = width * height <= MOST_SMOOTH ? 2 : 1;
       const look = { width, height, factor, palette: colours, ground: ground ?? WHITE };
-      const pool = system.pool();
-      return async (i) => {
+      return (i) => {
         const frame = frames[i];
         if (!frame) throw new Refusal("There is no such frame.");
         const objects = frame.objects.map((at, k) => shownObject(at, space.objects[k]));
         const flown = part?.own ? undefined : frame.view;
         const view = flown ?? part?.view ?? defaultView(space);
-        return pool.rasterize3({ objects, view, light: space.light, look });
+        return { kind: "space", picture: { objects, view, light: space.light, look } };
       };
     },
   };
@@ -182,7 +195,8 @@ async function boxOf(draw: Draw, system: System, ifs: Ifs, bend: Bend | null): P
   box = { x0: box.x0 - reach, y0: box.y0 - reach, x1: box.x1 + reach, y1: box.y1 + reach };
   for (let trial = 0; trial < TRIALS; trial++) {
     const view = viewOf(box, TRIAL, TRIAL);
-    const pixels = await system.pool().rasterize(ifs, { width: TRIAL, height: TRIAL, view, bend });
+    const drawing: Drawing = { kind: "plane", ifs, options: { width: TRIAL, height: TRIAL, view, bend } };
+    const pixels = await system.pool().pixels({ drawing, width: TRIAL, height: TRIAL, ground: null });
     box = litBox(pixels, view) ?? box;
   }
   return box;
