@@ -260,6 +260,39 @@ with zipfile.ZipFile("read.zip") as file:
     }
   });
 
+  it("plans paths, proves them, and proves what shapes are", () => {
+    const apart = "a=dragon-3&b=gasket";
+    const plan = frond("plan", apart);
+    const { points, holds } = JSON.parse(plan.stdout);
+    expect([plan.status, holds, points[0], points.at(-1)]).toEqual([0, true, [0, 0], [1, 1]]);
+    const planned = frond("plan", apart, "--as", "link").stdout.trim();
+    expect(planned).toMatch(/^#.*path=drawn:/);
+    const proof = frond("certificate", planned, "--of", "path", "--out", "path.json");
+    expect(proof).toMatchObject({ status: 0, stdout: "" });
+    expect(frond("check", "path.json")).toMatchObject({
+      status: 0,
+      stdout: expect.stringMatching(/^No gap wider/),
+    });
+    // Who claims more than is so is refused.
+    const claimed = JSON.parse(bytes("path.json").toString());
+    const false_ = JSON.stringify({ ...claimed, proved: { ...claimed.proved, gap: 1e-9 } });
+    expect(given(false_, "check", "-")).toMatchObject({
+      status: 1,
+      stdout: expect.stringMatching(/claimed/),
+    });
+    // A straight way breaks.
+    expect(frond("certificate", link, "--of", "path")).toMatchObject({ status: 1, stdout: "" });
+    const piece = frond("certificate", "a=gasket&b=gasket&t=0");
+    expect(given(piece.stdout, "check", "-")).toMatchObject({
+      status: 0,
+      stdout: expect.stringMatching(/links hold/),
+    });
+    writeFileSync(join(app, "dust.json"), DUST);
+    expect(frond("certificate", "dust.json", "--of", "one")).toMatchObject({ status: 1, stdout: "" });
+    const several = frond("certificate", "dust.json", "--of", "several");
+    expect(given(several.stdout, "check", "-").stdout).toMatch(/apart: checked in exact arithmetic/);
+  });
+
   it("says what size a video has become", () => {
     const ffmpeg = `[ "$1" = -version ] && exit
       for last; do :; done
@@ -302,11 +335,7 @@ with zipfile.ZipFile("read.zip") as file:
     writeFileSync(join(app, "dust.json"), DUST);
     const decided = frond("connectedness", "dust.json");
     expect([decided.status, JSON.parse(decided.stdout).verdict]).toEqual([1, "disconnected"]);
-    node(`
-      import init, { certificate } from "frond-ifs/proof";
-      import { writeFileSync } from "node:fs";
-      await init();
-      writeFileSync("proof.json", JSON.stringify(certificate(${DUST})));`);
+    expect(frond("certificate", "dust.json", "--out", "proof.json").status).toBe(0);
     expect(frond("check", "proof.json").status).toBe(0);
     writeFileSync(join(app, "bad.json"), "{}");
     expect(frond("check", "bad.json").status).toBeGreaterThan(0);
@@ -399,6 +428,9 @@ with zipfile.ZipFile("read.zip") as file:
         [["locus", link, "--out", "x.csv", "--w", "9"], '--w is a number from -2 to 2, and not "9".'],
         [["locus", link, "--out", "x.csv", "--epsilon", "0"], /^--epsilon is a number/],
         [["locus", "dust.json", "--out", "x.csv"], /holds one shape, and this needs two/],
+        [["plan", "dust.json"], /^A path is between two shapes/],
+        [["plan", link, "--axes", "4"], '--axes is a number from 2 to 3, and not "4".'],
+        [["certificate", link, "--of", "three"], '--of is one, several or path, and not "three".'],
         [["connectedness", "none.ifs"], "There is no none.ifs."],
         [["connectedness", "/dev/zero"], /larger than 64 MB/],
         [["connectedness", link, "--epsilon", "no"], /--epsilon is a number/],

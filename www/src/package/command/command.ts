@@ -1,9 +1,10 @@
 /** The command `frond`: pictures, films, loci and answers without a browser. What the system gives is handed in. */
 import { connectedness, exported, locus } from "./answers";
-import { check } from "./certificate";
+import { certificate, check } from "./certificate";
 import { render } from "./draw/render";
 import * as help from "./help";
 import { type Options, Refusal } from "./options";
+import { plan } from "./plan";
 import type { System } from "./system";
 
 type Command = (subject: string, options: Options, system: System) => Promise<number>;
@@ -12,7 +13,9 @@ const COMMANDS: Readonly<Record<string, help.Words & { run: Command }>> = {
   render: { ...help.RENDER, run: render },
   locus: { ...help.LOCUS, run: locus },
   connectedness: { ...help.CONNECTEDNESS, run: connectedness },
+  certificate: { ...help.CERTIFICATE, run: certificate },
   check: { ...help.CHECK, run: check },
+  plan: { ...help.PLAN, run: plan },
   export: { ...help.EXPORT, run: exported },
 };
 
