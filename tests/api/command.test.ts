@@ -3,9 +3,9 @@ import { execFileSync, spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { existsSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { inflateSync } from "node:zlib";
+import { crc32, deflateSync, inflateSync } from "node:zlib";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { commandIn, PACKING_MS, type Packed, packed } from "./packed";
+import { commandIn, PACKING_MS, type Packed, packed, root } from "./packed";
 
 let made: Packed;
 let app: string;
@@ -42,6 +42,30 @@ function pixelsOf(file: Buffer): Buffer {
     if (file.toString("latin1", at + 4, at + 8) === "IDAT")
       packed.push(file.subarray(at + 8, at + 8 + file.readUInt32BE(at)));
   return inflateSync(Buffer.concat(packed));
+}
+
+/** A PNG of one byte a pixel, as the specification has it. */
+function greyPng(width: number, height: number, grey: (x: number, y: number) => number): Buffer {
+  const chunk = (type: string, data: Buffer) => {
+    const body = Buffer.concat([Buffer.from(type, "latin1"), data]);
+    const [length, check] = [Buffer.alloc(4), Buffer.alloc(4)];
+    length.writeUInt32BE(data.length);
+    check.writeUInt32BE(crc32(body));
+    return Buffer.concat([length, body, check]);
+  };
+  const head = Buffer.alloc(13);
+  head.writeUInt32BE(width, 0);
+  head.writeUInt32BE(height, 4);
+  head[8] = 8;
+  const rows = Array.from({ length: height }, (_, y) =>
+    Buffer.from([0, ...Array.from({ length: width }, (_, x) => grey(x, y))]),
+  );
+  const parts = [
+    chunk("IHDR", head),
+    chunk("IDAT", deflateSync(Buffer.concat(rows))),
+    chunk("IEND", Buffer.alloc(0)),
+  ];
+  return Buffer.concat([Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), ...parts]);
 }
 
 describe("the command", () => {
@@ -293,6 +317,37 @@ with zipfile.ZipFile("read.zip") as file:
     expect(given(several.stdout, "check", "-").stdout).toMatch(/apart: checked in exact arithmetic/);
   });
 
+  it("traces pictures and fits curves to outlines", () => {
+    // A square of 40 pixels in one of 100.
+    const mask = greyPng(100, 100, (x, y) => (x >= 30 && x < 70 && y >= 30 && y < 70 ? 0 : 255));
+    const traced = given(mask, "trace", "-", "--as", "csv");
+    const points = traced.stdout
+      .trim()
+      .split("\n")
+      .slice(1)
+      .map((row) => row.split(",").map(Number));
+    const [xs, ys] = [points.map(([x = 0]) => x), points.map(([, y = 0]) => y)];
+    for (const [list, from, to] of [
+      [xs, 30, 70],
+      [ys, 30, 70],
+    ] as const) {
+      expect(Math.min(...list)).toBeCloseTo(from, 0);
+      expect(Math.max(...list)).toBeCloseTo(to, 0);
+    }
+    expect(given(mask, "trace", "-").stdout).toMatch(/^<svg .*viewBox="\d/);
+    const square = "x,y\n0,0\n1,0\n1,1\n0,1\n";
+    const link = given(square, "fit", "-", "--numbers", "12");
+    expect([link.status, link.stdout]).toEqual([0, expect.stringMatching(/^#.*tool=fit/)]);
+    const json = JSON.parse(given(square, "fit", "-", "--numbers", "12", "--as", "json").stdout);
+    expect([json.kind, json.knots.length >= 3]).toEqual(["closed curve", true]);
+    const within = JSON.parse(given(square, "fit", "-", "--bytes", "50", "--as", "json").stdout);
+    expect(within.bytes).toBeLessThanOrEqual(50);
+    const photograph = join(root, "shared/leaves/leaf_grape_300_scan.jpg");
+    if (!existsSync(photograph)) return;
+    expect(frond("fit", photograph, "--numbers", "60", "--out", "leaf.svg")).toMatchObject({ status: 0 });
+    expect(bytes("leaf.svg").toString()).toMatch(/<path/);
+  });
+
   it("says what size a video has become", () => {
     const ffmpeg = `[ "$1" = -version ] && exit
       for last; do :; done
@@ -431,6 +486,10 @@ with zipfile.ZipFile("read.zip") as file:
         [["plan", "dust.json"], /^A path is between two shapes/],
         [["plan", link, "--axes", "4"], '--axes is a number from 2 to 3, and not "4".'],
         [["certificate", link, "--of", "three"], '--of is one, several or path, and not "three".'],
+        [["trace", "dust.json", "--threshold", "0.5"], "dust.json is no picture, and has no --threshold."],
+        [["trace", "/bin/sh"], /is a program/],
+        [["fit", "dust.json", "--numbers", "12", "--bytes", "50"], /not both/],
+        [["fit", "dust.json", "--numbers", "3"], /^--numbers is a number from 12 to 2000/],
         [["connectedness", "none.ifs"], "There is no none.ifs."],
         [["connectedness", "/dev/zero"], /larger than 64 MB/],
         [["connectedness", link, "--epsilon", "no"], /--epsilon is a number/],

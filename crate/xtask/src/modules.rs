@@ -24,8 +24,8 @@ pub const MODULES: [(&str, &str); 14] = [
     ("frond-webgl2", "webgl2"),
 ];
 
-/// Those that the package does without.
-const PAGE_ALONE: [&str; 4] = ["frond-first", "frond-bend", "frond-svg", "frond-text"];
+/// Those that the package does without. Its command alone reads drawings and tables.
+const PAGE_ALONE: [&str; 2] = ["frond-first", "frond-bend"];
 
 /// Scripts of crate/web/js, which choose among the modules.
 pub const SCRIPTS: [&str; 2] = ["renderer.js", "renderer.d.ts"];

@@ -4,6 +4,7 @@ import { certificate, check } from "./certificate";
 import { render } from "./draw/render";
 import * as help from "./help";
 import { type Options, Refusal } from "./options";
+import { fit, trace } from "./outline/curve";
 import { plan } from "./plan";
 import type { System } from "./system";
 
@@ -17,6 +18,8 @@ const COMMANDS: Readonly<Record<string, help.Words & { run: Command }>> = {
   check: { ...help.CHECK, run: check },
   plan: { ...help.PLAN, run: plan },
   export: { ...help.EXPORT, run: exported },
+  trace: { ...help.TRACE, run: trace },
+  fit: { ...help.FIT, run: fit },
 };
 
 /** All that can be said, and whether something stands after it, for whoever reads the words. */
