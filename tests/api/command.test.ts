@@ -348,6 +348,26 @@ with zipfile.ZipFile("read.zip") as file:
     expect(bytes("leaf.svg").toString()).toMatch(/<path/);
   });
 
+  it("makes meshes of shapes of space", () => {
+    const mesh = frond("mesh", "tool=space", "--fineness", "24", "--size", "60", "--out", "s.stl");
+    expect(mesh.status).toBe(0);
+    // The number stands behind a head of 80 bytes; each triangle takes 50.
+    const stl = bytes("s.stl");
+    const triangles = stl.readUInt32LE(80);
+    expect(stl.length).toBe(84 + 50 * triangles);
+    expect(mesh.stderr).toContain(`${triangles} triangles`);
+    const corners = Array.from({ length: 9 * triangles }, (_, i) =>
+      stl.readFloatLE(84 + 50 * Math.floor(i / 9) + 12 + 4 * (i % 9)),
+    );
+    const along = [0, 1, 2].map((axis) => {
+      const list = corners.filter((_, i) => i % 3 === axis);
+      return list.reduce((a, b) => Math.max(a, b)) - list.reduce((a, b) => Math.min(a, b));
+    });
+    expect(Math.max(...along)).toBeCloseTo(60, 3);
+    const glb = frond("mesh", "tool=space", "--fineness", "16", "--out", "-", "--as", "glb");
+    expect(glb.bytes.toString("latin1", 0, 4)).toBe("glTF");
+  });
+
   it("says what size a video has become", () => {
     const ffmpeg = `[ "$1" = -version ] && exit
       for last; do :; done
@@ -490,6 +510,9 @@ with zipfile.ZipFile("read.zip") as file:
         [["trace", "/bin/sh"], /is a program/],
         [["fit", "dust.json", "--numbers", "12", "--bytes", "50"], /not both/],
         [["fit", "dust.json", "--numbers", "3"], /^--numbers is a number from 12 to 2000/],
+        [["mesh", link, "--out", "x.stl"], /^A mesh is of a shape of space, and this link is of the plane/],
+        [["mesh", "tool=space", "--out", "x.obj"], /is to end with \.stl, \.ply or \.glb/],
+        [["mesh", "tool=space", "--out", "x.stl", "--t", "0.5"], /^Nothing moves here/],
         [["connectedness", "none.ifs"], "There is no none.ifs."],
         [["connectedness", "/dev/zero"], /larger than 64 MB/],
         [["connectedness", link, "--epsilon", "no"], /--epsilon is a number/],

@@ -3,6 +3,7 @@ import { connectedness, exported, locus } from "./answers";
 import { certificate, check } from "./certificate";
 import { render } from "./draw/render";
 import * as help from "./help";
+import { mesh } from "./mesh";
 import { type Options, Refusal } from "./options";
 import { fit, trace } from "./outline/curve";
 import { plan } from "./plan";
@@ -20,6 +21,7 @@ const COMMANDS: Readonly<Record<string, help.Words & { run: Command }>> = {
   export: { ...help.EXPORT, run: exported },
   trace: { ...help.TRACE, run: trace },
   fit: { ...help.FIT, run: fit },
+  mesh: { ...help.MESH, run: mesh },
 };
 
 /** All that can be said, and whether something stands after it, for whoever reads the words. */
