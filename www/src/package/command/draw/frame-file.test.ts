@@ -9,11 +9,17 @@ test("frames are numbered before the ending, wherever they lie", () => {
 });
 
 test("a frame that is there is the one that is wanted, or it is not", () => {
-  const settings: PngSettings = { width: 2, height: 1, opaque: false, link: "#a=fern" };
+  const settings: PngSettings = { width: 2, height: 1, opaque: true, link: "#a=fern", ground: "#ff8000" };
   const rows = new RowFilter(settings).filtered(Uint8ClampedArray.from([1, 2, 3, 4, 5, 6, 7, 8]));
   const file = pngOf(settings, zlibSync(rows));
   expect(isSame(file, settings)).toBe(true);
-  for (const other of [{ width: 1 }, { height: 2 }, { opaque: true }, { link: "#a=tree" }])
+  for (const other of [
+    { width: 1 },
+    { height: 2 },
+    { opaque: false },
+    { link: "#a=tree" },
+    { ground: "#ff8001" },
+  ])
     expect(isSame(file, { ...settings, ...other })).toBe(false);
   for (let at = 0; at < file.length; at++) {
     const damaged = file.slice();

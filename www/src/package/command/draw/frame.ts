@@ -44,7 +44,7 @@ export const frameTasks = {
   /** A PNG file. Its bytes are the same on every machine, which those of the platform's own packers are not. */
   async png(hand: Hand, frame: PngFrame): Promise<Uint8Array<ArrayBuffer>> {
     const { width, height, ground, link } = frame;
-    const settings = { width, height, opaque: ground !== null, link };
+    const settings = { width, height, opaque: ground !== null, link, ground };
     const rows = new RowFilter(settings).filtered(await drawn(hand, frame));
     const file = pngOf(settings, zlibSync(rows));
     hand.transfer(file.buffer);

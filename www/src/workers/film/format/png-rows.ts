@@ -1,5 +1,6 @@
 /** The parts of a PNG file that every way of packing it shares: filtered rows, and the chunks around what was packed. */
 import { chunkBytes, joined, PNG_SIGNATURE } from "../../image/png";
+import { channels } from "../opaque";
 
 export interface PngSettings {
   width: number;
@@ -8,6 +9,8 @@ export interface PngSettings {
   opaque: boolean;
   /** The address that the picture carries, so that Frond opens it as the document; none: null. */
   link: string | null;
+  /** "#rrggbb": what an opaque picture was laid on, where that is to be told. */
+  ground?: string | null;
 }
 
 /** What the link stands under. */
@@ -16,7 +19,7 @@ const KEYWORD = "Frond link";
 const CHUNK = 1 << 18;
 
 /** The file, of filtered rows that were packed as zlib does. */
-export function pngOf({ width, height, opaque, link }: PngSettings, packed: Uint8Array) {
+export function pngOf({ width, height, opaque, link, ground = null }: PngSettings, packed: Uint8Array) {
   const head = new Uint8Array(13);
   const view = new DataView(head.buffer);
   view.setUint32(0, width);
@@ -24,6 +27,7 @@ export function pngOf({ width, height, opaque, link }: PngSettings, packed: Uint
   // 8 bits a channel; colours, with or without transparency.
   head.set([8, opaque ? 2 : 6], 8);
   const parts = [Uint8Array.from(PNG_SIGNATURE), chunkBytes({ type: "IHDR", data: head })];
+  if (opaque && ground !== null) parts.push(chunkBytes({ type: "bKGD", data: groundData(ground) }));
   if (link !== null) parts.push(chunkBytes({ type: "iTXt", data: linkData(link) }));
   for (let at = 0; at < packed.length; at += CHUNK) {
     parts.push(chunkBytes({ type: "IDAT", data: packed.subarray(at, at + CHUNK) }));
@@ -36,6 +40,10 @@ export function pngOf({ width, height, opaque, link }: PngSettings, packed: Uint
 export function linkData(link: string): Uint8Array {
   return new TextEncoder().encode(`${KEYWORD}\0\0\0\0\0${link}`);
 }
+
+/** Two bytes a channel, whatever the depth of the picture. */
+export const groundData = (ground: string) =>
+  Uint8Array.from(channels(ground).flatMap((channel) => [0, channel]));
 
 /** Writes the rows of a picture one after the other, each by the filter that suits it. */
 export class RowFilter {
