@@ -10,7 +10,7 @@ export interface Words {
   short: string;
   options: readonly Option[];
   /** More that one has to know, in sentences. */
-  more: readonly string[];
+  more: string;
   examples: readonly string[];
 }
 
@@ -37,17 +37,17 @@ export const RENDER: Words = {
     ["seconds", "8", "how long a film is; without it as long as in the studio"],
     ["fps", "25", "frames a second"],
     ["frames", "200|1-100", "so many frames, or those from the first to the last; with .png a file each"],
-    ["resume", null, "leave frames that are there already, whole and of the same moment, as they are"],
+    ["resume", null, "leave alone the frames that are there already, whole, and show the same"],
     ["ease", "in-out", "start and stop gently"],
     ["hold", "1", "stand still for so many seconds more at each end"],
     ["jobs", "4", "draw with so many workers; without it with as many as there are cores"],
     QUIET,
   ],
-  more: [
-    "Every picture holds the link of its own moment: the studio opens it as that. Frames are named x-0001.png, x-0002.png ..",
-    "Frames are drawn by as many workers as there are cores. The same command writes the same bytes on every machine; videos",
-    "do so with the same ffmpeg, which has to be installed for them. Ctrl-C leaves no file that is not whole.",
-  ],
+  more:
+    "Every picture holds the link of its own moment: the studio opens it as that. Frames are named " +
+    "x-0001.png, x-0002.png .. Frames are drawn by as many workers as there are cores. The same command " +
+    "writes the same bytes on every machine; videos do so with the same ffmpeg, which has to be installed " +
+    "for them. Ctrl-C leaves no file that is not whole.",
   examples: [
     'frond render "a=fern&b=tree" --out x.png --t 0.4',
     'frond render "a=fern&b=tree" --out x.png --frames 1-100 --seconds 8 --resume',
@@ -68,7 +68,7 @@ export const LOCUS: Words = {
     EPSILON,
     QUIET,
   ],
-  more: ["Each row is u, v, the verdict and the gap (CSV), or they are an array of NumPy's (.npy)."],
+  more: "Each row is u, v, the verdict and the gap (CSV), or they are an array of NumPy's (.npy).",
   examples: ['frond locus "a=dragon-3&b=gasket" --bounds 0,1,0,1 --width 101 --height 101 --out x.csv'],
 };
 
@@ -76,7 +76,7 @@ export const CONNECTEDNESS: Words = {
   takes: SUBJECT,
   short: "whether a shape is in one piece, as JSON",
   options: [T, EPSILON, QUIET],
-  more: ["The exit code is 0 where it is in one piece or seems to be, and 1 where it is not."],
+  more: "The exit code is 0 where it is in one piece or seems to be, and 1 where it is not.",
   examples: ["frond connectedness shape.ifs"],
 };
 
@@ -94,10 +94,9 @@ export const CERTIFICATE: Words = {
     EPSILON,
     QUIET,
   ],
-  more: [
-    "A proof of a path says how wide a gap is at most, anywhere on the way of a link; where the link leaves the path to Frond,",
-    "it is planned first. The exit code is 1 where no proof was found.",
-  ],
+  more:
+    "A proof of a path says how wide a gap is at most, anywhere on the way of a link; where the link " +
+    "leaves the path to Frond, it is planned first. The exit code is 1 where no proof was found.",
   examples: [
     "frond certificate dust.json --of several --out proof.json",
     'frond certificate "a=dragon-3&b=gasket" --of path | frond check -',
@@ -108,10 +107,10 @@ export const CHECK: Words = {
   takes: "CERTIFICATE|-",
   short: "replays a proof that a shape is in one piece, or in several, or that a path holds",
   options: [QUIET],
-  more: [
-    "Proofs about shapes are replayed in exact arithmetic by a program that shares no code with the one that found them. That a",
-    "path holds is computed again, and has to come out no worse. The exit code is 1 where a proof is refused.",
-  ],
+  more:
+    "Proofs about shapes are replayed in exact arithmetic by a program that shares no code with the one " +
+    "that found them. That a path holds is computed again, and has to come out no worse. The exit code is " +
+    "1 where a proof is refused.",
   examples: ["frond check proof.json"],
 };
 
@@ -126,7 +125,7 @@ export const PLAN: Words = {
     ["size", "97", "samples a side of the map that it looks through, 16 to 512"],
     QUIET,
   ],
-  more: ["The exit code is 1 where the best path that was found breaks."],
+  more: "The exit code is 1 where the best path that was found breaks.",
   examples: ['frond render "$(frond plan "a=dragon-3&b=gasket" --as link)" --out x.gif'],
 };
 
@@ -139,7 +138,7 @@ export const EXPORT: Words = {
     T,
     QUIET,
   ],
-  more: [],
+  more: "",
   examples: ['frond export "a=fern&b=tree" --as tikz'],
 };
 
@@ -154,10 +153,9 @@ export const TRACE: Words = {
     ["no-stalk", null, "take the stalk off"],
     QUIET,
   ],
-  more: [
-    "PNG and JPEG are read, at most 64 megapixels. What is traced is in pixels, of a picture of more than 4 megapixels in those of",
-    "a smaller one. An SVG has y down, a CSV up.",
-  ],
+  more:
+    "PNG and JPEG are read, at most 64 megapixels. What is traced is in pixels, of a picture of more than " +
+    "4 megapixels in those of a smaller one. An SVG has y down, a CSV up.",
   examples: ["frond trace leaf.jpg --out leaf.svg"],
 };
 
@@ -175,10 +173,9 @@ export const FIT: Words = {
     out("x.svg, x.json or x.csv; without it the standard output"),
     QUIET,
   ],
-  more: [
-    "Outlines are read from SVG, CSV and other tables, GeoJSON and TopoJSON; pictures, PNG and JPEG, are traced first. A link opens",
-    "the curve in Fit.",
-  ],
+  more:
+    "Outlines are read from SVG, CSV and other tables, GeoJSON and TopoJSON; pictures, PNG and JPEG, are " +
+    "traced first. A link opens the curve in Fit.",
   examples: [
     "frond fit leaf.jpg --numbers 60 --out leaf.svg",
     "frond trace leaf.jpg --as csv | frond fit - --bytes 100",
@@ -197,16 +194,17 @@ export const MESH: Words = {
     ["t", "0.5", "the moment of the time line, 0 to 1; without it that of the link"],
     QUIET,
   ],
-  more: ["The subject is a link of space, or a file with maps of space."],
+  more: "The subject is a link of space, or a file with maps of space.",
   examples: ['frond mesh "tool=space" --size 60 --out sponge.stl'],
 };
 
 const HEAD = "frond: the studio without a browser";
 const TAIL = [
-  'A link is one of the studio, or what stands behind its #, in quotes: "a=fern&b=tree". A file holds maps (.ifs, .flame, .aifs,',
-  "JSON, a table), or a link (a PNG of Frond's, a text). - is the standard input; --out - is the standard output.",
+  'A link is one of the studio, or what stands behind its #, in quotes: "a=fern&b=tree". ' +
+    "A file holds maps (.ifs, .flame, .aifs, JSON, a table), or a link (a PNG of Frond's, a text). " +
+    "- is the standard input; --out - is the standard output.",
   "frond help COMMAND says what its options do; frond --version which Frond this is.",
-  "Exit codes: 0 done, 1 the answer is no, 2 it could not be done, 130 it was interrupted.",
+  "Exit codes: 0 done, 1 the answer is no, 2 it could not be done, 130 interrupted by Ctrl-C.",
 ];
 
 /** All commands, a line each. */
@@ -214,7 +212,7 @@ export function helpOf(commands: Readonly<Record<string, Words>>): string {
   const heads = Object.entries(commands).map(
     ([name, { takes, short }]) => [`frond ${name} ${takes}`, short] as const,
   );
-  return [HEAD, "", ...columns(heads), "", ...TAIL].join("\n");
+  return [HEAD, "", ...columns(heads), "", ...TAIL.flatMap((words) => wrapped(words, COLUMNS))].join("\n");
 }
 
 /** One command, with all of its options. */
@@ -227,13 +225,29 @@ export function helpOn(name: string, { takes, short, options, more, examples }: 
     `  ${short}`,
     "",
     ...columns(rows),
-    ...(more.length > 0 ? ["", ...more] : []),
+    ...(more === "" ? [] : ["", ...wrapped(more, COLUMNS)]),
     "",
     ...examples.map((example) => `  ${example}`),
   ].join("\n");
 }
 
+/** As wide as many a terminal is. */
+const COLUMNS = 100;
+
 function columns(rows: readonly (readonly [left: string, right: string])[]): string[] {
   const width = Math.max(...rows.map(([left]) => left.length));
-  return rows.map(([left, right]) => `  ${left.padEnd(width)}  ${right}`);
+  return rows.flatMap(([left, right]) =>
+    wrapped(right, COLUMNS - width - 4).map((line, i) => `  ${(i > 0 ? "" : left).padEnd(width)}  ${line}`),
+  );
+}
+
+function wrapped(words: string, width: number): string[] {
+  const lines: string[] = [""];
+  for (const word of words.split(" ")) {
+    const last = lines.at(-1) ?? "";
+    if (last === "") lines[lines.length - 1] = word;
+    else if (last.length + 1 + word.length <= width) lines[lines.length - 1] = `${last} ${word}`;
+    else lines.push(word);
+  }
+  return lines;
 }
