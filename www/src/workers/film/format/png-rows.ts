@@ -1,4 +1,4 @@
-/** The parts of a PNG file that every way of packing it shares: filtered rows, and the chunks around what was packed. */
+/** What every way of packing a PNG shares: filtered rows, and the chunks around what was packed. */
 import { chunkBytes, joined, PNG_SIGNATURE } from "../../image/png";
 import { channels } from "../opaque";
 
@@ -63,17 +63,20 @@ export class RowFilter {
   /** The next rows, RGBA from the top: each begins with the number of its filter. */
   filtered(pixels: Uint8ClampedArray): Uint8Array<ArrayBuffer> {
     const stride = this.#stride;
-    const rows = pixels.length / (4 * this.#width);
+    const across = 4 * this.#width;
+    const rows = pixels.length / across;
     const made = new Uint8Array(rows * (stride + 1));
-    const row = new Uint8Array(stride);
+    let above = this.#above;
+    let [row, other] = [new Uint8Array(stride), new Uint8Array(stride)];
     for (let y = 0; y < rows; y++) {
-      const from = pixels.subarray(4 * this.#width * y, 4 * this.#width * (y + 1));
+      const from = pixels.subarray(across * y, across * (y + 1));
       if (this.#channels === 4) row.set(from);
       else withoutAlpha(from, row);
-      const into = made.subarray(y * (stride + 1), (y + 1) * (stride + 1));
-      writeRow(into, row, this.#above, this.#channels);
-      this.#above.set(row);
+      writeRow(made.subarray(y * (stride + 1), (y + 1) * (stride + 1)), row, above, this.#channels);
+      above = row;
+      [row, other] = [other, row];
     }
+    this.#above.set(above);
     return made;
   }
 }
@@ -91,44 +94,27 @@ function withoutAlpha(pixels: Uint8ClampedArray, row: Uint8Array): void {
  * as the specification advises (section 12.7), and of equals the first. `into` is all zeros before.
  */
 function writeRow(into: Uint8Array, row: Uint8Array, above: Uint8Array, channels: number): void {
-  const length = row.length;
-  // Most rows of many pictures are clear, or like the row above: the sums below would say the same.
-  if (same(row, above)) {
-    into[0] = blank(row) ? 0 : 2;
-    return;
-  }
+  // What is clear in both rows, as the margins of many pictures are, leaves nothing by any filter.
+  let from = 0;
+  let to = row.length;
+  while (from < to && row[from] === 0 && above[from] === 0) from++;
+  while (to > from && row[to - 1] === 0 && above[to - 1] === 0) to--;
+  to = Math.min(row.length, to + channels);
   let [plain, left, up] = [0, 0, 0];
-  for (let i = 0; i < channels; i++) {
-    plain += SIZE[row[i] as number] as number;
-    up += SIZE[((row[i] as number) - (above[i] as number)) & 255] as number;
-  }
-  left = plain;
-  for (let i = channels; i < length; i++) {
+  for (let i = from; i < to; i++) {
     const byte = row[i] as number;
+    const before = i < channels ? 0 : (row[i - channels] as number);
     plain += SIZE[byte] as number;
-    left += SIZE[(byte - (row[i - channels] as number)) & 255] as number;
+    left += SIZE[(byte - before) & 255] as number;
     up += SIZE[(byte - (above[i] as number)) & 255] as number;
   }
   const filter = plain <= left && plain <= up ? 0 : left <= up ? 1 : 2;
   into[0] = filter;
-  if (filter === 0) into.set(row, 1);
-  else if (filter === 2) {
-    for (let i = 0; i < length; i++) into[i + 1] = (row[i] as number) - (above[i] as number);
-  } else {
-    into.set(row.subarray(0, channels), 1);
-    for (let i = channels; i < length; i++) into[i + 1] = (row[i] as number) - (row[i - channels] as number);
+  for (let i = from; i < to; i++) {
+    const before = filter === 2 ? above[i] : filter === 1 && i >= channels ? row[i - channels] : 0;
+    into[i + 1] = (row[i] as number) - (before as number);
   }
 }
 
 /** How far a difference of bytes is from nothing, whichever way round. */
 const SIZE = Uint8Array.from({ length: 256 }, (_, byte) => Math.min(byte, 256 - byte));
-
-function same(row: Uint8Array, above: Uint8Array): boolean {
-  for (let i = 0; i < row.length; i++) if (row[i] !== above[i]) return false;
-  return true;
-}
-
-function blank(row: Uint8Array): boolean {
-  for (let i = 0; i < row.length; i++) if (row[i] !== 0) return false;
-  return true;
-}
