@@ -1,4 +1,4 @@
-/** How far the command is, and how long it will still take: one line where somebody watches, else a line now and then. */
+/** How far the command is, and how long it will take: one line where somebody watches, else a line now and then. */
 import type { System } from "./system";
 
 /** Milliseconds between two words of it. */

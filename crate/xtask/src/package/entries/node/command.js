@@ -20,7 +20,8 @@ async function read(file) {
   // Some files have no end.
   for await (const part of file === STANDARD ? process.stdin : createReadStream(file)) {
     length += part.length;
-    if (length > MOST_BYTES) throw new Error(`${named} is larger than 64 MB, which is more than Frond reads.`);
+    if (length > MOST_BYTES)
+      throw new Error(`${named} is larger than 64 MB, which is more than Frond reads.`);
     parts.push(part);
   }
   if (length === 0) throw new Error(`${named} is empty.`);
@@ -82,13 +83,16 @@ const options = {
 };
 
 /** A number below zero is what an option is set to, and not an option of its own. */
-const joined = (words) =>
-  words.reduce((made, word) => {
-    const before = made.at(-1);
-    const takes = /^--[a-z-]+$/.test(before ?? "") && options[before.slice(2)]?.type === "string";
-    if (takes && /^-[.\d]/.test(word)) return [...made.slice(0, -1), `${before}=${word}`];
-    return [...made, word];
-  }, []);
+function joined(words) {
+  const made = [];
+  for (const word of words) {
+    const before = made.at(-1) ?? "";
+    const takes = before.startsWith("--") && options[before.slice(2)]?.type === "string";
+    if (takes && /^-[.\d]/.test(word)) made[made.length - 1] = `${before}=${word}`;
+    else made.push(word);
+  }
+  return made;
+}
 
 /** What is wrong with the words, where Node says it at length. */
 function plain(problem) {

@@ -20,11 +20,21 @@ function wordsFor(path, { kind, width, height, fps, ground }) {
   const raw = ["-f", "rawvideo", "-pix_fmt", "rgba", "-s", `${width}x${height}`, "-r", `${fps}`, "-i", "-"];
   const even = `pad=ceil(iw/2)*2:ceil(ih/2)*2:color=${ground}`;
   // By itself ffmpeg takes the matrix of BT.601 and does not say so: players then guess, and show other colours.
-  const matrix = "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+bitexact,format=yuv420p";
+  const matrix =
+    "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+bitexact,format=yuv420p";
   const tags = "setparams=range=tv:colorspace=bt709:color_primaries=bt709:color_trc=iec61966-2-1";
   const planes = ["-vf", `${even},${matrix},${tags}`, "-pix_fmt", "yuv420p"];
   // Neither the hour nor the machine is to be seen in the file.
-  const same = ["-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-threads", `${THREADS}`];
+  const same = [
+    "-map_metadata",
+    "-1",
+    "-fflags",
+    "+bitexact",
+    "-flags:v",
+    "+bitexact",
+    "-threads",
+    `${THREADS}`,
+  ];
   const file = ["-movflags", "+faststart", "-f", kind, "-y", `file:${path}`];
   return ["-hide_banner", "-loglevel", "error", ...raw, ...planes, ...same, ...file];
 }
@@ -38,7 +48,10 @@ export async function encoder(file, video) {
   const place = file === STANDARD ? placeApart(ending, sent) : await placeFor(file, ending);
   // Ctrl-C is told to us alone, and we end it.
   const detached = process.platform !== "win32";
-  const ffmpeg = spawn("ffmpeg", wordsFor(place.path, video), { stdio: ["pipe", "ignore", "pipe"], detached });
+  const ffmpeg = spawn("ffmpeg", wordsFor(place.path, video), {
+    stdio: ["pipe", "ignore", "pipe"],
+    detached,
+  });
   running.add(ffmpeg);
   let said = "";
   ffmpeg.stderr.on("data", (text) => {
