@@ -17,7 +17,9 @@ export async function morphOf(scene: Scene, system: System) {
       "The command knows no closed curves. Save them in the studio, as SVG, as a film or as maps.",
     );
   if (scene.tool === "space")
-    throw new Refusal("This link is of space, of which the command only draws pictures: frond render.");
+    throw new Refusal(
+      "This link is of space, of which the command only draws pictures and makes meshes: frond render, frond mesh.",
+    );
   const draw = await system.draw();
   const { from, to, probabilities: [p, q] = [] } = draw.pair(systemOf(scene.a), systemOf(scene.b));
   const fitting = <T>(list: T[]) => (list.length === from.length ? list : []);
