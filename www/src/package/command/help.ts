@@ -1,5 +1,7 @@
 /** What each command is for and which options it knows: the command reads it, and --help prints it. */
 
+import { WHITE } from "#style/colours";
+
 /** The name of an option, what stands after it, if anything does, and what it does. */
 export type Option = readonly [name: string, value: string | null, words: string];
 
@@ -32,7 +34,7 @@ export const RENDER: Words = {
     ["as", "png", "the kind of file, where the name does not say it"],
     ["width", "1200", "in pixels"],
     ["height", "900", "in pixels"],
-    ["background", "#ffffff", "what is behind the shape; without it a picture is clear, a video white"],
+    ["background", WHITE, "what is behind the shape; without it a picture is clear, a video white"],
     ["t", "0.5", "the moment of a picture, 0 to 1; without it that of the link"],
     ["seconds", "8", "how long a film is; without it as long as in the studio"],
     ["fps", "25", "frames a second"],
