@@ -78,7 +78,7 @@ describe("the package", () => {
 
   it("finds its modules by itself in Node, at every entry that draws on no graphics card", () => {
     const entries = Object.keys(manifest.exports).filter(
-      (entry) => !/\.(wasm|json)$|renderer|view|pool/.test(entry),
+      (entry) => !/\.(wasm|json)$|renderer|view|pool|jsx/.test(entry),
     );
     expect(entries).toContain("./exchange");
     const program = `
@@ -97,7 +97,7 @@ describe("the package", () => {
     const named = Object.values(manifest.exports).flatMap((entry) =>
       typeof entry === "string" ? [entry] : Object.values(entry),
     );
-    // The element is built with the site, which copies it into the package.
-    expect(named.filter((file) => !existsSync(join(pkg, file)))).toEqual(["./frond-view.js"]);
+    // The element is built with the rest of the package's scripts.
+    expect(named.filter((file) => !existsSync(join(pkg, file)))).toEqual(["./frond-view.module.js"]);
   });
 });

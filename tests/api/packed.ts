@@ -40,12 +40,13 @@ export async function packed() {
   const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
   const text = readFileSync(join(root, "crate/xtask/src/package/package.json"), "utf8");
   writeFileSync(join(folder, "package.json"), text.replace("0.0.0", version));
-  await build({
-    configFile: join(root, "www/build/package.config.ts"),
-    logLevel: "silent",
-    build: { outDir: folder, emptyOutDir: false },
-  });
-  // The element is built with the site, and tested there.
+  for (const config of ["package", "view"])
+    await build({
+      configFile: join(root, `www/build/${config}.config.ts`),
+      logLevel: "silent",
+      build: { outDir: folder, emptyOutDir: false },
+    });
+  // The script of the element is built with the site, and tested there.
   if (!existsSync(join(folder, "frond-view.js"))) writeFileSync(join(folder, "frond-view.js"), "void 0;\n");
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(root, name), join(folder, name));
   writeFileSync(join(folder, "licenses.txt"), licenseText([...crates(), ...scripts()]));

@@ -12,13 +12,20 @@ const folder = mkdtempSync(join(tmpdir(), "frond-bundles-"));
 const APP = `
   import init, { presets, rasterize } from "frond-ifs/draw";
   import { createPool } from "frond-ifs/pool";
+  import "frond-ifs/view";
   await init();
   const fern = presets().find(({ id }) => id === "fern");
   const pixels = rasterize(fern, { width: 30, height: 30 });
   const pool = createPool({ size: 1 });
   const { verdict } = await pool.connectedness(fern);
   pool.close();
-  document.title = pixels.some((byte) => byte > 0) + " " + verdict;`;
+  // Between them there is a way that holds together, which is sought by what the element brings along.
+  const view = document.createElement("frond-view");
+  Object.assign(view, { a: "dragon-3", b: "gasket", t: "0.4" });
+  document.body.append(view);
+  await new Promise((resolve) => view.addEventListener("ready", resolve));
+  const told = await view.verdict();
+  document.title = pixels.some((byte) => byte > 0) + " " + verdict + " " + told.verdict;`;
 const LOADER = `
   import init, { presets } from "frond-ifs/draw";
   import wasm from "frond-ifs/frond_bg.wasm";
@@ -55,5 +62,7 @@ for (const bundler of ["vite", "webpack", "esbuild", "esbuild-loader", "rolldown
       });
     });
     await page.goto(`${baseURL}bundled/${bundler}/`);
-    await expect.poll(() => page.title()).toBe(bundler === "esbuild-loader" ? "true" : "true touching");
+    await expect
+      .poll(() => page.title())
+      .toBe(bundler === "esbuild-loader" ? "true" : "true touching connected");
   });

@@ -1,21 +1,6 @@
 /** `<frond-view>` as one script that needs nothing beside it: its worker, its styles and its module are inside. */
-import { readFileSync } from "node:fs";
-import { fileURLToPath } from "node:url";
-import { gzipSync } from "node:zlib";
 import { defineConfig } from "vite";
-
-const root = fileURLToPath(new URL("../..", import.meta.url));
-const pkg = (name: string) => readFileSync(new URL(`../pkg/${name}`, import.meta.url));
-
-/** The bindings would look for the module beside the script: it is given to them. */
-const givenModule = {
-  name: "given-module",
-  enforce: "pre" as const,
-  transform: (code: string, id: string) =>
-    id.endsWith("/frond-morph.js")
-      ? { code: code.replace(/new URL\('[^']+\.wasm', import\.meta\.url\)/, "undefined"), map: null }
-      : null,
-};
+import { givenModules, packed, pkg, programs, root } from "./element-parts.ts";
 
 /** What decides and proves lies beside it, for elements that are asked whether they hold together. */
 const proofBeside = {
@@ -30,11 +15,8 @@ export default defineConfig({
   root,
   resolve: { tsconfigPaths: true },
   publicDir: false,
-  plugins: [givenModule, proofBeside],
-  define: {
-    FROND_MORPH: JSON.stringify(gzipSync(pkg("frond-morph_bg.wasm"), { level: 9 }).toString("base64")),
-  },
-  worker: { format: "iife", plugins: () => [givenModule] },
+  plugins: [givenModules, programs, proofBeside],
+  define: { FROND_MORPH: JSON.stringify(packed("frond-morph_bg.wasm")) },
   build: {
     target: "baseline-widely-available",
     outDir: "dist",

@@ -18,6 +18,7 @@ pub fn build(steps: &mut Steps) -> Outcome {
         run(&mut Tool::Vite.command("build --config www/build/elsewhere/config.ts --logLevel warn"))?;
         run(&mut Tool::Vite.command("build --config www/build/offline.config.ts --logLevel warn"))?;
         run(&mut Tool::Vite.command("build --config www/build/package.config.ts --logLevel warn"))?;
+        run(&mut Tool::Vite.command("build --config www/build/view.config.ts --logLevel warn"))?;
         relative()?;
         package::write()
     })

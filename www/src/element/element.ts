@@ -5,19 +5,20 @@
 
 import { palette } from "#style/palette";
 import { Frame } from "./frame";
+import { JUDGED, lightTroubles } from "./light";
 import { Picture, type PictureChoices } from "./picture";
-import { failureOf } from "./protocol";
+import { type ProofSource, proofFrom, saidSource, sayProof } from "./proof";
+import { Properties } from "./properties";
 import { Shadow } from "./shadow";
 import type { PictureOptions, Shown, Teller, Told } from "./shown";
-import { momentOf, WishError, wishOf } from "./wish";
+import { errorOf, FrondError } from "./trouble";
+import { isOn, meansOn, textOf } from "./values";
+import { momentOf, WISHES, WishError, wishOf } from "./wish";
 
 /** So far from the screen it begins to load. */
 const NEAR = "300px";
 /** It rests so long before anybody is told in words where it is. */
 const REST_MS = 500;
-/** Seconds from one end to the other. */
-const SECONDS = { default: 8, least: 0.5, most: 600 };
-
 /** Where this script came from: the studio's files are beside it. Null inside of a bundle. */
 const beside = originOfScript();
 
@@ -50,8 +51,19 @@ const OBSERVED = [
 /** What changes how it looks or plays, without anything being opened anew. */
 const LIGHT: readonly string[] = ["t", "controls", "loop", "seconds", "theme", "poster", "label"];
 
-export class FrondView extends HTMLElement {
+export class FrondView extends Properties {
   static readonly observedAttributes: readonly string[] = OBSERVED;
+
+  /**
+   * Where what decides and proves is, for pages that know better: an address of `frond-proof_bg.wasm`, or of
+   * `frond-proof.js` beside it, or the bytes.
+   */
+  static get proof(): ProofSource | null {
+    return saidSource();
+  }
+  static set proof(source: unknown) {
+    sayProof(source);
+  }
 
   readonly #shadow: Shadow;
   #shown: Shown | null = null;
@@ -64,6 +76,10 @@ export class FrondView extends HTMLElement {
   #sought: number | null = null;
   /** It played when it was moved, or when what it shows changed. */
   #goesOn = false;
+  /** By attribute what means nothing, which is told once. */
+  readonly #wrong = new Map<string, { value: string | null; message: string }>();
+  /** Why nothing is shown, which is told once as well. */
+  #refused = "";
 
   constructor() {
     super();
@@ -75,8 +91,7 @@ export class FrondView extends HTMLElement {
   }
 
   connectedCallback(): void {
-    this.#take("t");
-    this.#take("src");
+    for (const name of OBSERVED) this.#take(name);
     const near = new IntersectionObserver(
       (entries) => {
         this.#near = entries.at(-1)?.isIntersecting ?? false;
@@ -97,6 +112,7 @@ export class FrondView extends HTMLElement {
       dark?.removeEventListener("change", restyle);
     };
     this.#shadow.dress();
+    this.#judgeLight();
     this.#lay();
   }
 
@@ -115,33 +131,26 @@ export class FrondView extends HTMLElement {
       this.#later();
       return;
     }
+    this.#judgeLight();
     this.#lay();
-    if (name === "t") this.#guard(() => this.#moment() !== null && this.seek(this.#moment() ?? 0));
+    if (name === "t") this.#seekAttribute();
     else if (name === "theme") this.#restyle();
     else if (this.#shown instanceof Picture) this.#shown.choose(this.#play());
   }
 
-  /** 0 to 1. */
+  /** 0 to 1: where it is now. What is written stands in the attribute, too, and holds for the next link as well. */
   get t(): number {
     return this.#shown?.t ?? this.#sought ?? this.#moment() ?? 0;
   }
 
-  /** As text, too: React, Vue and Svelte write what stands in an attribute into the property. */
-  set t(moment: number | string) {
-    this.#guard(() => this.seek(typeof moment === "string" ? (momentOf(moment) ?? 0) : moment));
+  set t(value: unknown) {
+    this.write("t", textOf(value));
+    // It may say so already, while the picture has moved on.
+    this.#seekAttribute();
   }
 
   get playing(): boolean {
     return this.#shown?.playing ?? false;
-  }
-
-  get src(): string | null {
-    return this.getAttribute("src");
-  }
-
-  set src(link: string | null) {
-    if (link === null) this.removeAttribute("src");
-    else this.setAttribute("src", link);
   }
 
   /** To a moment, 0 to 1; what plays stops. */
@@ -169,7 +178,7 @@ export class FrondView extends HTMLElement {
   }
 
   set verdict(said: unknown) {
-    this.toggleAttribute("verdict", said !== null && said !== undefined && said !== false);
+    this.toggleAttribute("verdict", meansOn(said));
   }
 
   /** The maps at this moment: rows [a, b, c, d, e, f]. */
@@ -184,23 +193,56 @@ export class FrondView extends HTMLElement {
 
   #ready(): Shown {
     if (this.#shown) return this.#shown;
-    throw { code: "not-ready", message: "It is not there yet: wait for the event ready." };
+    throw new FrondError("not-ready", "It is not there yet: wait for the event ready.");
   }
 
+  /** Null where the attribute says none. */
   #moment(): number | null {
-    return momentOf(this.getAttribute("t"));
+    try {
+      return momentOf(this.getAttribute("t"));
+    } catch {
+      // It is told once, where all attributes are judged.
+      return null;
+    }
+  }
+
+  #seekAttribute(): void {
+    const moment = this.#moment();
+    if (moment !== null) this.seek(moment);
+    else if (!this.#shown && !this.hasAttribute("t")) this.#sought = null;
+  }
+
+  #judgeLight(): void {
+    this.#judge(JUDGED, lightTroubles(this.#read));
+  }
+
+  readonly #read = (name: string) => this.getAttribute(name);
+
+  /** What these attributes say that means nothing: each value is told once, and said as long as it stands there. */
+  #judge(names: readonly string[], troubles: readonly WishError[]): void {
+    for (const name of names)
+      if (!troubles.some(({ attribute }) => attribute === name)) this.#wrong.delete(name);
+    for (const { attribute, code, message } of troubles) {
+      const value = this.getAttribute(attribute);
+      if (this.#wrong.get(attribute)?.value === value) continue;
+      this.#wrong.set(attribute, { value, message });
+      // Not in the midst of what a framework is about to write: it may answer by writing more.
+      queueMicrotask(() => this.#send("error", { code, message }));
+    }
+    this.#sayWrong();
+  }
+
+  #sayWrong(): void {
+    if (this.#refused !== "") return;
+    this.#shadow.say([...this.#wrong.values()][0]?.message ?? "", true);
   }
 
   #play() {
-    const asked = Number(this.getAttribute("seconds") ?? SECONDS.default);
-    const seconds = Number.isFinite(asked)
-      ? Math.min(SECONDS.most, Math.max(SECONDS.least, asked))
-      : SECONDS.default;
-    return { seconds, loop: this.hasAttribute("loop") };
+    return { seconds: this.seconds, loop: this.loop };
   }
 
   /** What was set before the element was known hides what it has of that name. */
-  #take(name: "t" | "src"): void {
+  #take(name: (typeof OBSERVED)[number]): void {
     const said = Object.getOwnPropertyDescriptor(this, name);
     if (!said) return;
     delete (this as Partial<this>)[name];
@@ -217,17 +259,11 @@ export class FrondView extends HTMLElement {
     });
   }
 
-  #guard(act: () => unknown): void {
-    try {
-      act();
-    } catch (problem) {
-      this.#fail(problem);
-    }
-  }
-
   #fail(problem: unknown): void {
-    const { code, message } = problem instanceof WishError ? problem : failureOf(problem);
+    const { code, message } = errorOf(problem);
     this.#shadow.say(message);
+    if (this.#refused === message) return;
+    this.#refused = message;
     this.#send("error", { code, message });
   }
 
@@ -237,7 +273,6 @@ export class FrondView extends HTMLElement {
 
   async #open(): Promise<void> {
     const turn = ++this.#opening;
-    this.#shadow.say("");
     const tell: Teller = {
       ready: () => turn === this.#opening && this.#arrived(),
       change: () => turn === this.#opening && this.#changed(),
@@ -250,15 +285,18 @@ export class FrondView extends HTMLElement {
       },
     };
     try {
-      const wish = wishOf((name) => this.getAttribute(name));
+      const wish = wishOf(this.#read);
+      this.#judge(WISHES, wish.troubles);
       const t = this.#sought ?? this.#moment();
       if (wish.where !== "here") {
         this.#shown = new Frame(this.#shadow.framed(this.#label()), wish, this.#framed(), t, tell);
         this.#sought = null;
+        this.#understood();
         return;
       }
-      const base = this.#studio();
-      const choices = { ...this.#play(), ...this.#colours(), proof: base && `${base}frond-proof.js` };
+      const base = this.#beside();
+      const proof = () => proofFrom(base);
+      const choices = { ...this.#play(), ...this.#colours(), proof, calm: this.#calm() };
       const picture = await Picture.open(
         this.#shadow.drawn(),
         { fragment: wish.fragment, t, ...choices },
@@ -269,6 +307,7 @@ export class FrondView extends HTMLElement {
         return;
       }
       this.#shown = picture;
+      this.#understood();
       // It was sought while it was opened.
       if (this.#sought !== null && this.#sought !== t) this.seek(this.#sought);
       this.#sought = null;
@@ -279,32 +318,47 @@ export class FrondView extends HTMLElement {
     }
   }
 
+  /** What it is to show can be shown. */
+  #understood(): void {
+    this.#refused = "";
+    this.#sayWrong();
+  }
+
   #framed() {
     const studio = this.#studio();
     if (!studio)
-      throw new WishError('Say where the studio is: studio="https://..", the folder of its embed.html.');
-    const has = (name: string) => this.hasAttribute(name);
-    return {
-      studio,
-      controls: has("controls"),
-      locus: has("locus"),
-      panel: has("panel"),
-      verdict: has("verdict"),
-      theme: this.getAttribute("theme"),
-      autoplay: has("autoplay"),
-    };
+      throw new WishError(
+        "studio",
+        'Say where the studio is: studio="https://..", the folder of its embed.html.',
+      );
+    const { controls, locus, panel, autoplay, theme } = this;
+    return { studio, controls, locus, panel, verdict: this.#decides, theme, autoplay };
+  }
+
+  /** Where the studio's files are; a picture does without it, so that what means nothing is but told. */
+  #beside(): string | null {
+    let folder = beside;
+    const troubles: WishError[] = [];
+    try {
+      folder = this.#studio();
+    } catch (problem) {
+      if (!(problem instanceof WishError)) throw problem;
+      troubles.push(problem);
+    }
+    this.#judge(["studio"], troubles);
+    return folder;
   }
 
   #studio(): string | null {
-    const said = this.getAttribute("studio");
-    if (said === null) return beside;
+    const said = this.getAttribute("studio")?.trim() ?? "";
+    if (said === "") return beside;
     try {
       const url = new URL("./", new URL(said, this.baseURI));
       if (url.protocol === "http:" || url.protocol === "https:" || url.protocol === "file:") return url.href;
     } catch {
       // Said below.
     }
-    throw new WishError("studio is the address of the folder that Frond's embed.html is in.");
+    throw new WishError("studio", "studio is the address of the folder that Frond's embed.html is in.");
   }
 
   /** Closes what is shown, and keeps its moment for what is shown next: an element that is moved goes on. */
@@ -323,12 +377,18 @@ export class FrondView extends HTMLElement {
   #arrived(): void {
     this.#shadow.arrived();
     this.#send("ready", { t: this.t });
-    const calm =
-      this.ownerDocument.defaultView?.matchMedia("(prefers-reduced-motion: reduce)").matches ?? false;
-    if (this.#goesOn || (this.hasAttribute("autoplay") && !calm && this.#shown instanceof Picture))
-      this.play();
+    if (this.#goesOn || (this.autoplay && !this.#calm() && this.#shown instanceof Picture)) this.play();
     this.#goesOn = false;
     this.#changed();
+  }
+
+  #calm(): boolean {
+    return this.ownerDocument.defaultView?.matchMedia("(prefers-reduced-motion: reduce)").matches ?? false;
+  }
+
+  /** Whether the verdict is to be seen: the property of that name is what decides. */
+  get #decides(): boolean {
+    return isOn(this.getAttribute("verdict"));
   }
 
   #changed(): void {
@@ -340,15 +400,16 @@ export class FrondView extends HTMLElement {
 
   #rested(): void {
     this.#shadow.describe(this.#label());
-    if (this.hasAttribute("verdict") && this.#shown instanceof Picture)
+    if (this.#decides && this.#shown instanceof Picture)
       this.#shown.verdict().catch((problem) => {
         this.#shadow.verdict("Not decided: its module could not be fetched.");
-        this.#send("error", failureOf(problem));
+        const { code, message } = errorOf(problem);
+        this.#send("error", { code, message });
       });
   }
 
   #decided(told: Told): void {
-    this.#shadow.verdict(this.hasAttribute("verdict") && this.#shown instanceof Picture ? told.words : "");
+    this.#shadow.verdict(this.#decides && this.#shown instanceof Picture ? told.words : "");
     this.#send("verdict", told);
   }
 
@@ -358,7 +419,7 @@ export class FrondView extends HTMLElement {
 
   #lay(): void {
     this.#shadow.themed();
-    this.#shadow.lay(this.hasAttribute("controls"), this.getAttribute("poster"), this.#label());
+    this.#shadow.lay(this.controls, this.poster || null, this.#label());
   }
 
   /** Those of the page come before those of the link, and these before those of the theme. */

@@ -11,8 +11,8 @@ addEventListener("message", async ({ data }: MessageEvent<ToWorker>) => {
   const say = (answer: FromWorker, transfer: Transferable[] = []) => postMessage(answer, { transfer });
   try {
     const result = await work(data.job);
-    say({ id: data.id, result }, result instanceof Uint8ClampedArray ? [result.buffer] : []);
+    say({ result }, result instanceof Uint8ClampedArray ? [result.buffer] : []);
   } catch (problem) {
-    say({ id: data.id, failure: failureOf(problem) });
+    say({ failure: failureOf(problem) });
   }
 });

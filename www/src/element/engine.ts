@@ -1,7 +1,9 @@
 /** What all elements of a page share: the module, which is fetched once, and the workers that draw. */
 import init, { LinkedMorph } from "../../pkg/frond-morph.js";
 import { Pool } from "./pool";
-import type { Answer, Job } from "./protocol";
+import type { Decided, Drawing, Question } from "./protocol";
+import { errorOf } from "./trouble";
+import { unpacked } from "./unpack";
 
 /** The module, packed into the script by the build. */
 declare const FROND_MORPH: string;
@@ -30,23 +32,59 @@ async function begun(): Promise<WebAssembly.Module> {
   return module;
 }
 
-async function unpacked(text: string): Promise<ArrayBuffer> {
-  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).arrayBuffer();
-}
-
 /** The morph of a link. Free it. */
 export async function morphOf(fragment: string): Promise<LinkedMorph> {
   await started();
   return new LinkedMorph(fragment);
 }
 
-/** Has a job done, after those that wait. */
-export async function ask<J extends Job>(job: J): Promise<Answer<J>> {
+async function pooled(): Promise<Pool> {
   const compiled = await started();
   pool ??= new Pool(compiled);
-  return pool.ask(job);
+  return pool;
+}
+
+/** A picture, before all that is asked. */
+export async function draw(drawing: Drawing): Promise<Uint8ClampedArray<ArrayBuffer>> {
+  return (await pooled()).draw(drawing);
+}
+
+/** Answers that are kept, and those that are on their way. */
+const MOST_ANSWERS = 200;
+const answers = new Map<string, { decided: Promise<Decided>; askers: Set<() => boolean> }>();
+
+/**
+ * What is asked more than once is decided once. `wanted` says whether an answer is still waited for: where nobody
+ * does so when its turn comes, it is rejected as `cancelled`.
+ */
+export async function ask(question: Question, wanted: () => boolean): Promise<Decided> {
+  const { proof: _, ...asked } = question;
+  const key = JSON.stringify(asked);
+  let answer = answers.get(key);
+  if (answer) {
+    answer.askers.add(wanted);
+    // The oldest one in the list is the one that was asked for the longest ago.
+    answers.delete(key);
+  } else {
+    const askers = new Set([wanted]);
+    const decided = pooled().then((hands) => hands.ask(question, () => [...askers].some((is) => is())));
+    answer = { decided, askers };
+    const known = answer;
+    decided.then(
+      () => askers.clear(),
+      () => answers.get(key) === known && answers.delete(key),
+    );
+  }
+  answers.set(key, answer);
+  for (const oldest of answers.keys()) {
+    if (answers.size <= MOST_ANSWERS) break;
+    answers.delete(oldest);
+  }
+  try {
+    return await answer.decided;
+  } catch (problem) {
+    throw errorOf(problem);
+  }
 }
 
 /** Who shows something says so, and when it is no longer shown calls what is returned. */

@@ -1,6 +1,7 @@
 /** What only the studio shows, in a frame: its embed page, which is talked with by messages. */
 
 import type { Shown, Teller, Told } from "./shown";
+import { FrondError } from "./trouble";
 import { momentOf, type Wish } from "./wish";
 
 export interface FrameChoices {
@@ -15,7 +16,11 @@ export interface FrameChoices {
 }
 
 /** The address of the embed page. */
-export function addressOf({ fragment }: Wish, choices: FrameChoices, origin: string): string {
+export function addressOf(
+  { fragment }: Pick<Wish, "fragment">,
+  choices: FrameChoices,
+  origin: string,
+): string {
   const words = [
     ...(["locus", "panel", "verdict"] as const).filter((word) => choices[word]),
     ...(choices.controls ? [] : ["controls=none"]),
@@ -27,7 +32,8 @@ export function addressOf({ fragment }: Wish, choices: FrameChoices, origin: str
   return `${choices.studio}embed.html${words.length > 0 ? `?${words.join("&")}` : ""}#${fragment}`;
 }
 
-const unavailable = { code: "frame", message: "The studio shows this in a frame: open its link for that." };
+const unavailable = () =>
+  new FrondError("frame", "The studio shows this in a frame: open its link for that.");
 
 export class Frame implements Shown {
   t = 0;
@@ -103,11 +109,11 @@ export class Frame implements Shown {
   }
 
   maps(): number[][] {
-    throw unavailable;
+    throw unavailable();
   }
 
   async picture(): Promise<Blob> {
-    throw unavailable;
+    throw unavailable();
   }
 
   rest(): void {

@@ -5,9 +5,11 @@ import { type Box, boxAt, calmTrack, type Track } from "#geometry/boxes";
 import { advance, SECONDS } from "#geometry/moment";
 import { type Uv, uvAt } from "#geometry/path";
 import type { LinkedMorph } from "../../pkg/frond-morph.js";
-import { ask, enter, morphOf } from "./engine";
-import { type Drawing, failureOf } from "./protocol";
+import { ask, draw, enter, morphOf } from "./engine";
+import type { Proof } from "./proof";
+import type { Drawing } from "./protocol";
 import type { PictureOptions, Shown, Teller, Told } from "./shown";
+import { errorOf, FrondError } from "./trouble";
 
 export interface PictureChoices {
   /** From one end to the other, in seconds. */
@@ -17,8 +19,10 @@ export interface PictureChoices {
   palette: number[];
   /** Whether the page chose it; else a link may have colours of its own. */
   firm: boolean;
-  /** Where the module that proves is; null where nobody knows. */
-  proof: string | null;
+  /** Finds the module that decides and proves. */
+  proof(): Promise<Proof>;
+  /** Whether nothing is to move that need not. */
+  calm: boolean;
 }
 
 /** How often the way is looked at for the camera. */
@@ -30,7 +34,16 @@ const MOST_SIDE = 2048;
 const FRAME_MS = 30;
 const COARSEST = 4;
 
+/** From the straight way to the one that was found. */
+const OVER_MS = 400;
+
 type Size = { width: number; height: number };
+
+/** A way, and what a camera sees along it. */
+interface Way {
+  path: Uv[];
+  track: Track;
+}
 
 export class Picture implements Shown {
   t: number;
@@ -41,11 +54,12 @@ export class Picture implements Shown {
   readonly #tell: Teller;
   readonly #leave = enter();
   #choices: PictureChoices;
-  #path: Uv[];
-  #track: Track;
+  #way: Way;
+  /** What was shown while the way was sought, and since when it is left. */
+  #before: (Way & { since: number }) | null = null;
   #size: Size = { width: 0, height: 0 };
   #coarse = 1;
-  #way = 1;
+  #heading = 1;
   #last = 0;
   #frame = 0;
   #away = false;
@@ -79,8 +93,7 @@ export class Picture implements Shown {
     this.t = t ?? morph.t;
     const way: Uv[] = [];
     for (let i = 0; i + 2 < morph.path.length; i += 3) way.push([...morph.path.slice(i, i + 3)] as Uv);
-    this.#path = [[0, 0], ...way, [1, 1]];
-    this.#track = this.#looked();
+    this.#way = this.#seen([[0, 0], ...way, [1, 1]]);
     if (this.t > 0 && this.t < 1) void this.#plan();
   }
 
@@ -90,21 +103,16 @@ export class Picture implements Shown {
     return a === b ? a : `${a} on its way to ${b}, ${Math.round(100 * this.t)}%`;
   }
 
-  #looked(): Track {
+  #seen(path: Uv[]): Way {
     const looks = Array.from({ length: LOOKS }, (_, i): Box | null => {
       try {
-        const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = this.#morph.bounds(...this.#at(i / (LOOKS - 1)));
+        const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = this.#morph.bounds(...placeOn(path, i / (LOOKS - 1)));
         return { x0, y0, x1, y1 };
       } catch {
         return null;
       }
     });
-    return calmTrack(looks);
-  }
-
-  #at(t = this.t): [number, number, number] {
-    const [u, v, w = 0] = uvAt(this.#path, t);
-    return [u, v, w];
+    return { path, track: calmTrack(looks) };
   }
 
   /** The way that holds together, where the link leaves it to Frond. Until it is found the straight one is shown. */
@@ -114,22 +122,45 @@ export class Picture implements Shown {
   }
 
   async #found(): Promise<void> {
-    const module = this.#choices.proof;
     if (!this.#morph.unplanned || this.#morph.a === this.#morph.b) return;
     try {
-      if (!module) throw new Error("Its module is not beside the script.");
+      const proof = await this.#choices.proof();
+      if (this.#closed) return;
       const [maps, to] = [this.#rows([0, 0, 0]), this.#rows([1, 1, 0])];
       const { mode, turns } = this.#morph;
-      const decided = await ask({ kind: "ask", question: { module, maps, to, mode, turns: [...turns] } });
+      const decided = await ask({ proof, maps, to, mode, turns: [...turns] }, this.#waits);
       if (this.#closed || !("plan" in decided)) return;
-      this.#path = [...decided.plan.points] as Uv[];
-      this.#track = this.#looked();
-      this.draw();
+      if (!this.#choices.calm) this.#before = { ...this.#way, since: performance.now() };
+      this.#way = this.#seen([...decided.plan.points] as Uv[]);
+      this.#goOver();
+      // The moment is the same, and its maps are others.
+      this.#tell.change();
     } catch (problem) {
-      const why = problem instanceof Error ? problem.message : (problem as { message: string }).message;
-      if (!this.#closed)
-        this.#tell.error("straight", `The way is straight, and may fall apart: no other was found. ${why}`);
+      const { code, message } = errorOf(problem);
+      if (this.#closed) return;
+      // It was away when its turn came; back again it asks once more.
+      if (code === "cancelled") this.#planned = null;
+      else
+        this.#tell.error(
+          "straight",
+          `The way is straight, and may fall apart: no other was found. ${message}`,
+        );
     }
+  }
+
+  readonly #waits = () => !this.#closed && !this.#away;
+
+  /** Draws until the way that was found is all that is seen. */
+  #goOver(): void {
+    this.draw();
+    if (!this.#before || this.#closed) return;
+    if (this.#over() >= 1) this.#before = null;
+    else requestAnimationFrame(() => this.#goOver());
+  }
+
+  /** How far the way is left that was shown before, 0 to 1. */
+  #over(): number {
+    return this.#before ? Math.min(1, (performance.now() - this.#before.since) / OVER_MS) : 1;
   }
 
   #rows(at: [number, number, number]): number[][] {
@@ -172,7 +203,7 @@ export class Picture implements Shown {
     if (this.playing || this.#closed) return;
     this.playing = true;
     if (this.t >= 1 && !this.#choices.loop) this.t = 0;
-    this.#way = this.t >= 1 ? -1 : 1;
+    this.#heading = this.t >= 1 ? -1 : 1;
     this.#tell.change();
     this.#tick();
   }
@@ -186,8 +217,8 @@ export class Picture implements Shown {
       const dt = this.#last === 0 ? 0 : Math.min(0.2, (now - this.#last) / 1000);
       this.#last = now;
       const speed = SECONDS / this.#choices.seconds;
-      const next = advance(this.t, dt, this.#way, { speed, loop: this.#choices.loop });
-      this.#way = next.way;
+      const next = advance(this.t, dt, this.#heading, { speed, loop: this.#choices.loop });
+      this.#heading = next.way;
       if (next.ended) this.playing = false;
       this.#move(next.t);
       if (next.ended) {
@@ -210,24 +241,23 @@ export class Picture implements Shown {
     if (this.#away === away) return;
     this.#away = away;
     if (away) return;
+    if (this.t > 0 && this.t < 1) void this.#plan();
     this.draw();
     if (this.playing) this.#tick();
   }
 
   maps(): number[][] {
-    return this.#rows(this.#at());
+    return this.#rows(placeOn(this.#way.path, this.t));
   }
 
   async verdict(): Promise<Told> {
-    const module = this.#choices.proof;
-    if (!module)
-      throw {
-        code: "no-proof",
-        message: "Put frond-proof.js and its .wasm beside the script, or set studio.",
-      };
+    const proof = await this.#choices.proof().catch((problem) => {
+      throw new FrondError("no-proof", `What decides could not be fetched. ${errorOf(problem).message}`);
+    });
     await this.#plan();
-    const decided = await ask({ kind: "ask", question: { module, maps: this.maps() } });
-    if (!("connectedness" in decided)) throw { code: "no-proof", message: "It was not decided." };
+    // Whoever calls it waits, wherever the element is.
+    const decided = await ask({ proof, maps: this.maps() }, () => true);
+    if (!("connectedness" in decided)) throw new FrondError("no-proof", "It was not decided.");
     const { text, aside } = verdictWords(decided.connectedness);
     const told = { verdict: decided.connectedness.verdict, words: aside ? `${text}, ${aside}` : text };
     this.#tell.verdict(told);
@@ -240,26 +270,39 @@ export class Picture implements Shown {
       width: across,
       height: sideOf(height ?? (across * this.#size.height) / (this.#size.width || 1)),
     };
-    const pixels = await ask({ kind: "draw", drawing: this.#of(size, 1) });
+    const pixels = await draw(this.#of(size, 1));
     const canvas = this.#canvas.ownerDocument.createElement("canvas");
     Object.assign(canvas, size);
     canvas.getContext("2d")?.putImageData(new ImageData(pixels, size.width, size.height), 0, 0);
     return new Promise((resolve, reject) =>
       canvas.toBlob((blob) =>
-        blob ? resolve(blob) : reject({ code: "no-picture", message: "The browser made no PNG of it." }),
+        blob ? resolve(blob) : reject(new FrondError("no-picture", "The browser made no PNG of it.")),
       ),
     );
   }
 
   #of({ width, height }: Size, coarse: number): Drawing {
     const size = { width: Math.ceil(width / coarse), height: Math.ceil(height / coarse) };
-    const box = boxAt(this.#track, this.t);
+    const over = this.#over();
+    let box = boxAt(this.#way.track, this.t);
+    let at = placeOn(this.#way.path, this.t);
+    if (this.#before && over < 1) {
+      const from = placeOn(this.#before.path, this.t);
+      at = [0, 1, 2].map((i) => between(from[i] ?? 0, at[i] ?? 0, over)) as [number, number, number];
+      const old = boxAt(this.#before.track, this.t);
+      box = {
+        x0: between(old.x0, box.x0, over),
+        y0: between(old.y0, box.y0, over),
+        x1: between(old.x1, box.x1, over),
+        y1: between(old.y1, box.y1, over),
+      };
+    }
     const across = Math.max(box.x1 - box.x0, 1e-9);
     const up = Math.max(box.y1 - box.y0, 1e-9);
     const free = 1 - 2 * MARGIN;
     const scale = Math.min((free * size.width) / across, (free * size.height) / up);
     const view = { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2, scale: Math.max(scale, 1e-6) };
-    return { fragment: this.#fragment, at: this.#at(), ...size, view, palette: this.#colours() };
+    return { fragment: this.#fragment, at, ...size, view, palette: this.#colours() };
   }
 
   /** Asks for the picture as it is to be now; while one is drawn, only the last that was asked for waits. */
@@ -275,7 +318,7 @@ export class Picture implements Shown {
         this.#wanted = false;
         const drawing = this.#of(this.#size, this.playing ? this.#coarse : 1);
         const began = performance.now();
-        const pixels = await ask({ kind: "draw", drawing });
+        const pixels = await draw(drawing);
         if (this.#closed) return;
         if (this.playing) this.#tune(performance.now() - began);
         const { width, height } = drawing;
@@ -285,7 +328,7 @@ export class Picture implements Shown {
         this.#told = true;
       }
     } catch (problem) {
-      const { code, message } = problem as { code: string; message: string };
+      const { code, message } = errorOf(problem);
       if (!this.#closed && code !== "cancelled") this.#tell.error(code, message);
     } finally {
       this.#drawing = false;
@@ -307,18 +350,25 @@ export class Picture implements Shown {
   }
 }
 
+function placeOn(path: Uv[], t: number): [number, number, number] {
+  const [u, v, w = 0] = uvAt(path, t);
+  return [u, v, w];
+}
+
+const between = (from: number, to: number, share: number) => from + (to - from) * share;
+
 function sideOf(length: number): number {
   if (!(length >= 1 && length <= 8192))
-    throw { code: "size", message: "A side of a picture is 1 to 8192 pixels long." };
+    throw new FrondError("size", "A side of a picture is 1 to 8192 pixels long.");
   return Math.round(length);
 }
 
 /** What is said of a link, for whoever writes a page. */
 function refused(problem: unknown): never {
-  const { code, message } = failureOf(problem);
+  const { code, message } = errorOf(problem);
   const known = message.replace(
     /^This link is damaged: (.*?\.) .*$/s,
     "$1 Set src, a, b or path to one that is.",
   );
-  throw { code, message: known };
+  throw new FrondError(code, known);
 }

@@ -1,5 +1,7 @@
 /** What a page and its drawing workers say to each other. */
 import type { Connectedness, PathPlan } from "#wasm/api";
+import type { Proof } from "./proof";
+import { errorOf } from "./trouble";
 
 /** A picture: of which morph, where on its way, and of what part of the plane. */
 export interface Drawing {
@@ -16,8 +18,7 @@ export interface Drawing {
 
 /** What is decided, by the module that proves, which is fetched for it. */
 export interface Question {
-  /** Where that module is. */
-  module: string;
+  proof: Proof;
   maps: number[][];
   /** For a way from `maps` to these; without them, whether `maps` hold together. */
   to?: number[][];
@@ -34,11 +35,12 @@ export interface Failure {
   message: string;
 }
 
-export type ToWorker = { module: WebAssembly.Module } | { id: number; job: Job };
-export type FromWorker = { id: number; result?: unknown; failure?: Failure };
+/** A worker has one job at a time. */
+export type ToWorker = { module: WebAssembly.Module } | { job: Job };
+export type FromWorker = { result?: unknown; failure?: Failure };
 
 /** What was thrown, so that it can be sent. */
 export function failureOf(problem: unknown): Failure {
-  const { code, message } = (problem ?? {}) as Partial<Failure>;
-  return { code: code ?? "failed", message: message ?? String(problem) };
+  const { code, message } = errorOf(problem);
+  return { code, message };
 }

@@ -6,6 +6,25 @@ import sheet from "#style/element.css?inline";
 const PLAY = "M8 5.2v13.6a.8.8 0 0 0 1.2.7l10.6-6.8a.8.8 0 0 0 0-1.4L9.2 4.5A.8.8 0 0 0 8 5.2z";
 const PAUSE = "M7 5h3.5v14H7zM13.5 5H17v14h-3.5z";
 
+const SVG = "http://www.w3.org/2000/svg";
+
+/** What each of the controls answers. */
+const BUTTON_KEYS: readonly string[] = [" ", "Enter"];
+const SLIDER_KEYS: readonly string[] = [
+  " ",
+  "ArrowLeft",
+  "ArrowRight",
+  "ArrowUp",
+  "ArrowDown",
+  "PageUp",
+  "PageDown",
+  "Home",
+  "End",
+];
+
+/** With these it is a key of the browser or of the page. */
+const chorded = (event: KeyboardEvent) => event.ctrlKey || event.altKey || event.metaKey;
+
 interface Acts {
   seek(t: number): void;
   toggle(): void;
@@ -22,50 +41,60 @@ export class Shadow {
   readonly #verdict: HTMLElement;
   readonly #controls: HTMLElement;
   readonly #play: HTMLButtonElement;
-  readonly #sign: SVGPathElement;
+  readonly #sign: SVGElement;
   readonly #slider: HTMLInputElement;
   #frame: HTMLIFrameElement | null = null;
   #asked = false;
 
   constructor(root: ShadowRoot, acts: Acts) {
-    root.innerHTML = `
-      <div class="all" part="all">
-        <span class="probe" hidden></span>
-        <div class="stage" part="stage">
-          <img part="poster" alt="" hidden>
-          <canvas part="picture" role="img" hidden></canvas>
-          <p class="verdict" part="verdict" role="status" hidden></p>
-          <p class="message" part="message" role="alert" hidden></p>
-        </div>
-        <div class="controls" part="controls" hidden>
-          <button type="button" part="play"><svg viewBox="0 0 24 24" aria-hidden="true"><path/></svg></button>
-          <input type="range" part="slider" min="0" max="1" step="0.001" aria-label="Time">
-        </div>
-      </div>`;
-    const find = <E extends Element>(name: string): E => {
-      const found = root.querySelector<E>(name);
-      if (!found) throw new Error(name);
-      return found;
+    // Made piece by piece: a page may forbid markup that is made of text.
+    const page = root.ownerDocument;
+    const make = <T extends keyof HTMLElementTagNameMap>(tag: T, part = "") => {
+      const element = page.createElement(tag);
+      if (part) element.setAttribute("part", part);
+      return element;
     };
+    const classed = <T extends keyof HTMLElementTagNameMap>(tag: T, name: string, part = "") =>
+      Object.assign(make(tag, part), { className: name });
     this.#root = root;
-    this.#all = find(".all");
-    this.#probe = find(".probe");
-    this.stage = find(".stage");
-    this.#poster = find("img");
-    this.#canvas = find("canvas");
-    this.#verdict = find(".verdict");
-    this.#message = find(".message");
-    this.#controls = find(".controls");
-    this.#play = find("button");
-    this.#sign = find("path");
-    this.#slider = find("input");
+    this.#all = classed("div", "all", "all");
+    this.#probe = Object.assign(classed("span", "probe"), { hidden: true });
+    this.stage = classed("div", "stage", "stage");
+    this.#poster = Object.assign(make("img", "poster"), { alt: "", hidden: true });
+    this.#canvas = Object.assign(make("canvas", "picture"), { hidden: true });
+    this.#verdict = Object.assign(classed("p", "verdict", "verdict"), { hidden: true });
+    this.#message = Object.assign(classed("p", "message", "message"), { hidden: true });
+    this.#controls = Object.assign(classed("div", "controls", "controls"), { hidden: true });
+    this.#play = Object.assign(make("button", "play"), { type: "button" });
+    this.#sign = page.createElementNS(SVG, "path");
+    this.#slider = make("input", "slider");
+    this.#canvas.setAttribute("role", "img");
+    this.#verdict.setAttribute("role", "status");
+    this.#message.setAttribute("role", "alert");
+    const icon = page.createElementNS(SVG, "svg");
+    icon.setAttribute("viewBox", "0 0 24 24");
+    icon.setAttribute("aria-hidden", "true");
+    icon.append(this.#sign);
+    this.#play.append(icon);
+    Object.assign(this.#slider, { type: "range", min: "0", max: "1", step: "0.001" });
+    this.#slider.setAttribute("aria-label", "Time");
+    this.stage.append(this.#poster, this.#canvas, this.#verdict, this.#message);
+    this.#controls.append(this.#play, this.#slider);
+    this.#all.append(this.#probe, this.stage, this.#controls);
+    root.append(this.#all);
     this.#play.addEventListener("click", () => acts.toggle());
     this.#slider.addEventListener("input", () => acts.seek(Number(this.#slider.value)));
     this.#slider.addEventListener("keydown", (event) => {
-      if (event.key !== " ") return;
+      if (event.key !== " " || chorded(event)) return;
       event.preventDefault();
       acts.toggle();
     });
+    // A page with keys of its own, as slides have, does not hear those that are answered here.
+    for (const type of ["keydown", "keypress", "keyup"] as const)
+      this.#controls.addEventListener(type, (event) => {
+        const answered = event.target === this.#slider ? SLIDER_KEYS : BUTTON_KEYS;
+        if (answered.includes(event.key) && !chorded(event)) event.stopPropagation();
+      });
     this.moment(0, false);
   }
 
@@ -114,9 +143,11 @@ export class Shadow {
     this.#verdict.hidden = words === "";
   }
 
-  say(message: string): void {
+  /** In place of the picture, or `aside` of it: there is one all the same. */
+  say(message: string, aside = false): void {
     this.#message.textContent = message;
     this.#message.hidden = message === "";
+    this.#message.classList.toggle("aside", aside);
   }
 
   /** The canvas, to be drawn on. */
