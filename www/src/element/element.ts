@@ -76,6 +76,8 @@ export class FrondView extends Properties {
   #sought: number | null = null;
   /** It played when it was moved, or when what it shows changed. */
   #goesOn = false;
+  /** Which verdict was told last, and of which moment: it is told once. */
+  #heard = "";
   /** By attribute what means nothing, which is told once. */
   readonly #wrong = new Map<string, { value: string | null; message: string }>();
   /** Why nothing is shown, which is told once as well. */
@@ -371,6 +373,7 @@ export class FrondView extends Properties {
     }
     this.#shown?.close();
     this.#shown = null;
+    this.#heard = "";
     this.#shadow.clear();
   }
 
@@ -402,6 +405,7 @@ export class FrondView extends Properties {
     this.#shadow.describe(this.#label());
     if (this.#decides && this.#shown instanceof Picture)
       this.#shown.verdict().catch((problem) => {
+        if (errorOf(problem).code === "cancelled") return;
         this.#shadow.verdict("Not decided: its module could not be fetched.");
         const { code, message } = errorOf(problem);
         this.#send("error", { code, message });
@@ -410,6 +414,9 @@ export class FrondView extends Properties {
 
   #decided(told: Told): void {
     this.#shadow.verdict(this.#decides && this.#shown instanceof Picture ? told.words : "");
+    const key = `${this.t} ${told.words}`;
+    if (this.#heard === key) return;
+    this.#heard = key;
     this.#send("verdict", told);
   }
 

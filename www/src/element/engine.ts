@@ -44,9 +44,9 @@ async function pooled(): Promise<Pool> {
   return pool;
 }
 
-/** A picture, before all that is asked. */
-export async function draw(drawing: Drawing): Promise<Uint8ClampedArray<ArrayBuffer>> {
-  return (await pooled()).draw(drawing);
+/** A picture; the `first` one of an element comes before all else. */
+export async function draw(drawing: Drawing, first: boolean): Promise<Uint8ClampedArray<ArrayBuffer>> {
+  return (await pooled()).draw(drawing, first);
 }
 
 /** Answers that are kept, and those that are on their way. */

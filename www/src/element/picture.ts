@@ -68,6 +68,7 @@ export class Picture implements Shown {
   #told = false;
   #closed = false;
   #planned: Promise<void> | null = null;
+  #deciding: { t: number; told: Promise<Told> } | null = null;
 
   static async open(
     canvas: HTMLCanvasElement,
@@ -250,17 +251,32 @@ export class Picture implements Shown {
     return this.#rows(placeOn(this.#way.path, this.t));
   }
 
-  async verdict(): Promise<Told> {
+  verdict(): Promise<Told> {
+    const { t } = this;
+    // Whoever asks again before it is known gets the same answer.
+    if (this.#deciding?.t === t) return this.#deciding.told;
+    const told = this.#decided(t).finally(() => {
+      if (this.#deciding?.told === told) this.#deciding = null;
+    });
+    this.#deciding = { t, told };
+    return told;
+  }
+
+  async #decided(t: number): Promise<Told> {
     const proof = await this.#choices.proof().catch((problem) => {
       throw new FrondError("no-proof", `What decides could not be fetched. ${errorOf(problem).message}`);
     });
-    await this.#plan();
+    // The ends are the same on every way.
+    if (t > 0 && t < 1) await this.#plan();
+    if (this.#closed) throw new FrondError("cancelled", "It is no longer shown.");
+    const maps = this.#rows(placeOn(this.#way.path, t));
     // Whoever calls it waits, wherever the element is.
-    const decided = await ask({ proof, maps: this.maps() }, () => true);
+    const decided = await ask({ proof, maps }, () => true);
     if (!("connectedness" in decided)) throw new FrondError("no-proof", "It was not decided.");
     const { text, aside } = verdictWords(decided.connectedness);
     const told = { verdict: decided.connectedness.verdict, words: aside ? `${text}, ${aside}` : text };
-    this.#tell.verdict(told);
+    // What is shown by now may be another moment.
+    if (this.t === t) this.#tell.verdict(told);
     return told;
   }
 
@@ -270,7 +286,7 @@ export class Picture implements Shown {
       width: across,
       height: sideOf(height ?? (across * this.#size.height) / (this.#size.width || 1)),
     };
-    const pixels = await draw(this.#of(size, 1));
+    const pixels = await draw(this.#of(size, 1), false);
     const canvas = this.#canvas.ownerDocument.createElement("canvas");
     Object.assign(canvas, size);
     canvas.getContext("2d")?.putImageData(new ImageData(pixels, size.width, size.height), 0, 0);
@@ -318,7 +334,7 @@ export class Picture implements Shown {
         this.#wanted = false;
         const drawing = this.#of(this.#size, this.playing ? this.#coarse : 1);
         const began = performance.now();
-        const pixels = await draw(drawing);
+        const pixels = await draw(drawing, !this.#told);
         if (this.#closed) return;
         if (this.playing) this.#tune(performance.now() - began);
         const { width, height } = drawing;

@@ -50,22 +50,30 @@ beforeEach(() => {
 });
 
 describe("the workers of the elements of a page", () => {
-  it("draw before they answer, and one never does anything else", () => {
+  it("draw first pictures before all else, and one never does anything but draw", () => {
     const [draws, both] = made();
-    const asked = [1, 2, 3].map((name) => pool.ask(question(name), always));
-    expect([draws?.jobs.length, named(both?.jobs ?? [])]).toEqual([0, [1]]);
-    for (const name of ["a", "b", "c"]) void pool.draw(drawing(name));
-    expect(named(draws?.jobs ?? [])).toEqual(["a"]);
+    const seen = () => [named(draws?.jobs ?? []), named(both?.jobs ?? [])];
+    const asked = [1, 2].map((name) => pool.ask(question(name), always));
+    expect(seen()).toEqual([[], [1]]);
+    for (const name of ["a", "b"]) void pool.draw(drawing(name), false);
+    void pool.draw(drawing("c"), true);
+    void pool.draw(drawing("d"), true);
     both?.answer({ result: "found" });
-    // A picture waits, so that the next path does.
-    expect(named(both?.jobs ?? [])).toEqual([1, "b"]);
     draws?.answer();
+    expect(seen()).toEqual([
+      ["a", "d"],
+      [1, "c"],
+    ]);
+    // What moves leaves room for what is asked.
     draws?.answer();
     both?.answer();
-    expect([named(draws?.jobs ?? []), named(both?.jobs ?? [])]).toEqual([
-      ["a", "c"],
-      [1, "b", 2],
+    expect(seen()).toEqual([
+      ["a", "d", "b"],
+      [1, "c", 2],
     ]);
+    void pool.draw(drawing("e"), false);
+    both?.answer();
+    expect(seen()[1]).toEqual([1, "c", 2, "e"]);
     return expect(asked[0]).resolves.toBe("found");
   });
 
@@ -97,7 +105,7 @@ describe("the workers of the elements of a page", () => {
       return null as never;
     });
     const found = pool.ask(question(1), always);
-    await pool.draw(drawing("a"));
+    await pool.draw(drawing("a"), true);
     expect(order).toEqual(["draw"]);
     await found;
     expect(order).toEqual(["draw", "slice", "slice", "slice"]);
@@ -110,7 +118,7 @@ describe("the workers of the elements of a page", () => {
 
   it("hand on what a worker had to do that is gone", () => {
     const [draws, both] = made();
-    void pool.draw(drawing("a"));
+    void pool.draw(drawing("a"), true);
     draws?.onerror?.();
     expect(named(both?.jobs ?? [])).toEqual(["a"]);
     // Alone it answers as well.

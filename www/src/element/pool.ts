@@ -1,6 +1,6 @@
 /**
- * Workers that take jobs in turn. Pictures come before all else: one worker does nothing but draw, and what is asked
- * never takes all of the others.
+ * Workers that take jobs in turn. One does nothing but draw, so that no question keeps a picture waiting. What has shown
+ * nothing yet is drawn by all of them, before anything else.
  */
 
 // The program of a worker as a text, which the build packs into the script.
@@ -26,10 +26,12 @@ export class Pool {
   /** In the order in which they were started. */
   readonly #all: Worker[] = [];
   readonly #busy = new Map<Worker, Waiting>();
+  /** First pictures, and those of what is seen already. */
+  readonly #firsts: Waiting[] = [];
   readonly #drawings: Waiting[] = [];
   readonly #questions: Waiting[] = [];
-  /** What the page itself does, where it may have no worker. */
-  #own: Waiting | null = null;
+  /** The page itself is at work, since it may have no worker. */
+  #going = false;
   #closed = false;
 
   constructor(module: WebAssembly.Module) {
@@ -50,8 +52,8 @@ export class Pool {
     }
   }
 
-  draw(drawing: Drawing): Promise<Answer<{ kind: "draw"; drawing: Drawing }>> {
-    return this.#queued(this.#drawings, { kind: "draw", drawing }, () => true);
+  draw(drawing: Drawing, first: boolean): Promise<Answer<{ kind: "draw"; drawing: Drawing }>> {
+    return this.#queued(first ? this.#firsts : this.#drawings, { kind: "draw", drawing }, () => true);
   }
 
   /** What nobody waits for any more when its turn comes is not decided. */
@@ -75,7 +77,8 @@ export class Pool {
     for (const worker of this.#all) {
       if (this.#busy.has(worker)) continue;
       const draws = worker === this.#all[0] && this.#all.length > 1;
-      const waiting = this.#drawings.shift() ?? (draws ? undefined : this.#asked());
+      const asked = () => (draws ? undefined : this.#asked());
+      const waiting = this.#firsts.shift() ?? asked() ?? this.#drawings.shift();
       if (!waiting) continue;
       this.#busy.set(worker, waiting);
       worker.postMessage({ job: waiting.job } satisfies ToWorker);
@@ -93,18 +96,29 @@ export class Pool {
     return this.#questions.splice(Math.max(0, verdict), 1)[0];
   }
 
-  /** The page does it: what is drawn at once, what is asked one after the other, with pauses in between. */
+  /** The page does it, with pauses in which it answers; what is to be drawn comes before the rest of a question. */
   async #goWithout(): Promise<void> {
-    for (const { job, resolve, reject } of this.#drawings.splice(0)) work(job).then(resolve, reject);
-    if (this.#own) return;
-    for (this.#own = this.#asked() ?? null; this.#own; this.#own = this.#asked() ?? null) {
-      const { job, wanted, resolve, reject } = this.#own;
+    if (this.#going) return;
+    this.#going = true;
+    const drawAll = async () => {
+      await pause();
+      const drawing = () => this.#firsts.shift() ?? this.#drawings.shift();
+      for (let next = drawing(); next; next = drawing()) {
+        await work(next.job).then(next.resolve, next.reject);
+        await pause();
+      }
+    };
+    for (;;) {
+      await drawAll();
+      const asked = this.#asked();
+      if (!asked) break;
       const breathe = async () => {
-        await new Promise((goOn) => setTimeout(goOn));
-        if (this.#closed || !wanted()) throw cancelled();
+        await drawAll();
+        if (this.#closed || !asked.wanted()) throw cancelled();
       };
-      await work(job, breathe).then(resolve, reject);
+      await work(asked.job, breathe).then(asked.resolve, asked.reject);
     }
+    this.#going = false;
   }
 
   #answered(worker: Worker, { result, failure }: FromWorker): void {
@@ -119,7 +133,7 @@ export class Pool {
     this.#all.splice(this.#all.indexOf(worker), 1);
     const waiting = this.#busy.get(worker);
     this.#busy.delete(worker);
-    if (waiting) (waiting.job.kind === "draw" ? this.#drawings : this.#questions).unshift(waiting);
+    if (waiting) (waiting.job.kind === "draw" ? this.#firsts : this.#questions).unshift(waiting);
     worker.terminate();
     this.#go();
   }
@@ -129,9 +143,11 @@ export class Pool {
     this.#closed = true;
     for (const worker of this.#all) worker.terminate();
     URL.revokeObjectURL(this.#address);
-    for (const { reject } of [...this.#busy.values(), ...this.#drawings, ...this.#questions])
+    for (const { reject } of [...this.#busy.values(), ...this.#firsts, ...this.#drawings, ...this.#questions])
       reject(cancelled());
   }
 }
+
+const pause = () => new Promise((goOn) => setTimeout(goOn));
 
 const cancelled = () => new FrondError("cancelled", "It is no longer shown.");
