@@ -120,7 +120,7 @@ async function newTab(browser: Browser): Promise<Page> {
   await listen(page);
   // Whoever is new here is greeted, which has tests of its own.
   await page.addInitScript(() => {
-    if (location.protocol !== "about:") localStorage["frond.guide"] ??= "seen";
+    if (location.protocol !== "about:" && origin !== "null") localStorage["frond.guide"] ??= "seen";
   });
   return page;
 }

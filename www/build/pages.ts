@@ -115,7 +115,7 @@ function page(described: Described, site: string, content: string): string {
 </html>
 `;
   // The element works in a worker of its own making, and shows figures in a frame.
-  const policy = policyOf(html, { "worker-src": ["blob:"], "frame-src": ["'self'"] });
+  const policy = policyOf(html, { "frame-src": ["'self'"] });
   return html.replace(
     '<meta charset="utf-8" />',
     `<meta charset="utf-8" />\n    <meta http-equiv="Content-Security-Policy" content="${policy}" />`,

@@ -6,7 +6,8 @@ const POLICY: Readonly<Record<string, readonly string[]>> = {
   "default-src": ["'none'"],
   // Modules are compiled; no text is ever run.
   "script-src": ["'self'", "'wasm-unsafe-eval'"],
-  "worker-src": ["'self'"],
+  // In a sandboxed frame a worker starts from a text that imports it (`www/src/workers/sandboxed.ts`).
+  "worker-src": ["'self'", "blob:"],
   "style-src": ["'self'"],
   // Pictures that users choose, and those that the page makes.
   "img-src": ["'self'", "data:", "blob:"],

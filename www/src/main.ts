@@ -17,8 +17,10 @@ import { loadBends } from "./wasm/bend";
 import { load } from "./wasm/core";
 import { compileProof } from "./wasm/proof";
 import { fetchPool, startEngine } from "./workers/pool/engine";
+import { allowWorkers } from "./workers/sandboxed";
 
 reportTrouble();
+allowWorkers();
 keepTranslationsTrue(document.body);
 
 async function begin(root: HTMLElement): Promise<void> {

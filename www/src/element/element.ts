@@ -29,6 +29,10 @@ function originOfScript(): string | null {
   return script?.src ? new URL("./", script.src).href : null;
 }
 
+const ONLY_MORPHS =
+  "Only morphs are shown in this frame, since it is sandboxed. Add allow-same-origin to its sandbox, or let the host of " +
+  "Frond send Access-Control-Allow-Origin: *.";
+
 const OBSERVED = [
   "src",
   "a",
@@ -333,6 +337,9 @@ export class FrondView extends Properties {
         "studio",
         'Say where the studio is: studio="https://..", the folder of its embed.html.',
       );
+    // The studio's own page shows what it can this way where it is sandboxed: it has no other one to show.
+    if (this.baseURI.replace(/[?#].*$/s, "") === `${studio}embed.html`)
+      throw new WishError("src", ONLY_MORPHS);
     const { controls, locus, panel, autoplay, theme } = this;
     return { studio, controls, locus, panel, verdict: this.#decides, theme, autoplay };
   }

@@ -18,8 +18,8 @@ export function beInstalled(): void {
       () => notify({ kind: "error", text: "The file could not be read. Drop it onto the page instead." }),
     );
   });
-  if (import.meta.env.DEV || !("serviceWorker" in navigator)) return;
-  const workers = navigator.serviceWorker;
+  const workers = import.meta.env.DEV ? null : serviceWorkers();
+  if (!workers) return;
   const before = workers.controller;
   workers.addEventListener("controllerchange", () => {
     // The first one is no news.
@@ -27,9 +27,18 @@ export function beInstalled(): void {
   });
   // Without it everything works, but off line: private windows and old browsers have none.
   workers.register("./sw.js").then(
-    () => setTimeout(keepLoaded, SETTLED_MS),
+    () => setTimeout(() => keepLoaded(workers), SETTLED_MS),
     () => undefined,
   );
+}
+
+/** Null where there are none: in a sandboxed frame even to ask for them throws. */
+function serviceWorkers(): ServiceWorkerContainer | null {
+  try {
+    return navigator.serviceWorker ?? null;
+  } catch {
+    return null;
+  }
 }
 
 /** The document stands in the address, which loading again brings back. */
@@ -43,8 +52,8 @@ function tellOfUpdate(): void {
 }
 
 /** What was loaded before there was a worker is kept as well. */
-async function keepLoaded(): Promise<void> {
-  const { active } = await navigator.serviceWorker.ready;
+async function keepLoaded(workers: ServiceWorkerContainer): Promise<void> {
+  const { active } = await workers.ready;
   const loaded = performance.getEntriesByType("resource").map(({ name }) => name);
   active?.postMessage({ keep: [location.href, ...loaded] });
 }
