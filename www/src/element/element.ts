@@ -80,6 +80,8 @@ export class FrondView extends Properties {
   #sought: number | null = null;
   /** It played when it was moved, or when what it shows changed. */
   #goesOn = false;
+  /** Its first picture is there. */
+  #pictured = false;
   /** Which verdict was told last, and of which moment: it is told once. */
   #heard = "";
   /** By attribute what means nothing, which is told once. */
@@ -381,10 +383,12 @@ export class FrondView extends Properties {
     this.#shown?.close();
     this.#shown = null;
     this.#heard = "";
+    this.#pictured = false;
     this.#shadow.clear();
   }
 
   #arrived(): void {
+    this.#pictured = true;
     this.#shadow.arrived();
     this.#send("ready", { t: this.t });
     if (this.#goesOn || (this.autoplay && !this.#calm() && this.#shown instanceof Picture)) this.play();
@@ -410,7 +414,8 @@ export class FrondView extends Properties {
 
   #rested(): void {
     this.#shadow.describe(this.#label());
-    if (this.#decides && this.#shown instanceof Picture)
+    // What is decided is told of what is seen.
+    if (this.#decides && this.#pictured && this.#shown instanceof Picture)
       this.#shown.verdict().catch((problem) => {
         if (errorOf(problem).code === "cancelled") return;
         this.#shadow.verdict("Not decided: its module could not be fetched.");
