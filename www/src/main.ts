@@ -17,13 +17,13 @@ import { loadBends } from "./wasm/bend";
 import { load } from "./wasm/core";
 import { compileProof } from "./wasm/proof";
 import { fetchPool, startEngine } from "./workers/pool/engine";
-import { allowWorkers } from "./workers/sandboxed";
 
 reportTrouble();
-allowWorkers();
 keepTranslationsTrue(document.body);
 
 async function begin(root: HTMLElement): Promise<void> {
+  // Before anything starts a worker.
+  if (origin === "null") (await import("./workers/sandboxed")).allowWorkers();
   const parameters = readParameters(location.search);
   // Nothing can read the link yet. Where it seems to bend something, what does is fetched beside what reads it.
   if (/[#&](mesh=|tool=deform)/.test(location.hash)) loadBends().catch(() => {});

@@ -17,7 +17,6 @@ import(ADDRESS).then(
  * text may import what is at the address, where the host allows it.
  */
 export function allowWorkers(): void {
-  if (origin !== "null") return;
   const Plain = Worker;
   globalThis.Worker = class extends Plain {
     constructor(address: string | URL, { name = "" }: WorkerOptions = {}) {
