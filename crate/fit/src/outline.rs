@@ -15,6 +15,7 @@ pub(crate) use crossing::turn;
 pub use crossing::{contacts, crossings};
 pub use decimate::decimated;
 pub use features::features;
+pub(crate) use fidelity::Gauge;
 pub use fidelity::{Fidelity, fidelity};
 pub use guard::Guard;
 pub use near::{Near, Nearest};

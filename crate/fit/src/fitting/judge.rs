@@ -1,7 +1,7 @@
 //! What a fit is measured by in the end, and what it must not be.
 
 use crate::closed::ClosedCurve;
-use crate::outline::{Fidelity, Guard, Outline, fidelity};
+use crate::outline::{Fidelity, Gauge, Guard, Outline};
 
 /// The polyline of a fit leaves the curve by no more than this, in parts of the diagonal of the outline, and opens
 /// copies so deep. This is what is drawn, and what is measured.
@@ -33,10 +33,14 @@ const MOST_DOUBLINGS: i32 = 10;
 /// How good a fit is, the smaller the better: the root mean square distance, raised a little by how much the
 /// roughness is off and by how far the farthest point is.
 fn score(near: &Fidelity) -> f64 {
-    let slope = (near.slope_difference().abs() - SLOPE_TOLERANCE).max(0.0);
-    let far =
-        if near.rms > 0.0 { (near.hausdorff / near.rms - MOST_HAUSDORFF).clamp(0.0, 20.0) } else { 0.0 };
-    near.rms * (1.0 + SLOPE_WEIGHT * slope + FAR_WEIGHT * far)
+    score_of(near.rms, near.hausdorff, near.slope_difference())
+}
+
+/// With a difference of 0 no more than with any other.
+fn score_of(rms: f64, hausdorff: f64, slope_difference: f64) -> f64 {
+    let slope = (slope_difference.abs() - SLOPE_TOLERANCE).max(0.0);
+    let far = if rms > 0.0 { (hausdorff / rms - MOST_HAUSDORFF).clamp(0.0, 20.0) } else { 0.0 };
+    rms * (1.0 + SLOPE_WEIGHT * slope + FAR_WEIGHT * far)
 }
 
 /// A curve as documents keep it, and how near it is.
@@ -50,7 +54,9 @@ pub(crate) struct Judged {
 /// Keeps the best of the curves that are shown to it, which is never worse than the polyline that it begins with.
 #[derive(Clone, Debug)]
 pub(crate) struct Judge {
-    outline: Outline,
+    gauge: Gauge,
+    /// Of the outline.
+    diagonal: f64,
     guard: Option<Guard>,
     line: Judged,
     best: Judged,
@@ -59,9 +65,10 @@ pub(crate) struct Judge {
 impl Judge {
     /// Begins with the best polyline, which is taken as it is.
     pub fn new(outline: &Outline, guard: Option<Guard>, line: ClosedCurve) -> Self {
-        let near = fidelity(outline, &line.knots);
+        let gauge = Gauge::new(outline);
+        let near = gauge.measure(&line.knots);
         let line = Judged { score: score(&near), curve: line, near };
-        Self { outline: outline.clone(), guard, best: line.clone(), line }
+        Self { gauge, diagonal: outline.diagonal(), guard, best: line.clone(), line }
     }
 
     /// Where curves may cross themselves.
@@ -78,10 +85,13 @@ impl Judge {
     /// cross itself are taken from it. Whether it was kept.
     pub fn show(&mut self, curve: &ClosedCurve) -> bool {
         let Some((curve, line)) = self.untangled(curve) else { return false };
-        let near = fidelity(&self.outline, &line);
-        let score = score(&near);
         // At the same numbers, and so far as is measured: no worse than the polyline.
-        if near.rms > self.line.near.rms || score >= self.best.score {
+        let keeps = |rms: f64, hausdorff: Option<f64>| {
+            rms <= self.line.near.rms && score_of(rms, hausdorff.unwrap_or(0.0), 0.0) < self.best.score
+        };
+        let Some(near) = self.gauge.measure_where(&line, keeps) else { return false };
+        let score = score(&near);
+        if score >= self.best.score {
             return false;
         }
         self.best = Judged { curve, near, score };
@@ -96,7 +106,7 @@ impl Judge {
         for doublings in 1..=MOST_DOUBLINGS {
             let coarse = fine.curve.coarsened(doublings).ok();
             let Some((curve, line)) = coarse.and_then(|curve| self.untangled(&curve)) else { return };
-            let near = fidelity(&self.outline, &line);
+            let near = self.gauge.measure(&line);
             let score = score(&near);
             let whole = curve.numbers() == fine.curve.numbers();
             if !whole || near.rms > rms || score > fine.score * (1.0 + COARSE_SHARE) {
@@ -111,7 +121,7 @@ impl Judge {
     fn untangled(&self, curve: &ClosedCurve) -> Option<(ClosedCurve, Vec<glam::DVec2>)> {
         let mut curve = curve.quantised().ok()?;
         for _ in 0..MOST_REPAIRS {
-            let expansion = curve.expand(DRAWING_TOLERANCE * self.outline.diagonal(), DRAWING_LEVELS);
+            let expansion = curve.expand(DRAWING_TOLERANCE * self.diagonal, DRAWING_LEVELS);
             let line = expansion.points();
             let Some(guard) = &self.guard else { return Some((curve, line)) };
             let faults = guard.faults(&line);

@@ -30,27 +30,80 @@ impl Fidelity {
 /// Measures a closed polyline `fit` (three points or more) against an outline.
 #[must_use]
 pub fn fidelity(outline: &Outline, fit: &[DVec2]) -> Fidelity {
-    let diagonal = outline.diagonal();
-    let to_fit = Nearest::new(fit, true);
-    let squares = outline.points().iter().map(|&p| to_fit.to(p).squared);
-    let (sum, mut farthest) = squares.fold((0.0, 0.0_f64), |(sum, most), x| (sum + x, most.max(x)));
-    let to_outline = Nearest::new(outline.points(), true);
-    let mut length = 0.0;
-    for (i, &a) in fit.iter().enumerate() {
-        let b = fit[(i + 1) % fit.len()];
-        let side = a.distance(b);
-        length += side;
-        // Between the ends, too: the middle of a long side may be the farthest.
-        let steps = (side / (2e-3 * diagonal)).ceil().clamp(1.0, 1000.0);
-        for step in 0..steps as usize {
-            farthest = farthest.max(to_outline.to(a.lerp(b, step as f64 / steps)).squared);
+    Gauge::new(outline).measure(fit)
+}
+
+/// Measures polylines against one outline: what hangs on the outline alone is found once.
+#[derive(Clone, Debug)]
+pub(crate) struct Gauge {
+    outline: Outline,
+    nearest: Nearest,
+    diagonal: f64,
+    length: f64,
+    slope: f64,
+}
+
+impl Gauge {
+    pub fn new(outline: &Outline) -> Self {
+        Self {
+            nearest: Nearest::new(outline.points(), true),
+            diagonal: outline.diagonal(),
+            length: outline.length(),
+            slope: box_slope(outline.points(), outline),
+            outline: outline.clone(),
         }
     }
-    Fidelity {
-        rms: 100.0 * (sum / outline.points().len() as f64).sqrt() / diagonal,
-        hausdorff: 100.0 * farthest.sqrt() / diagonal,
-        length_ratio: length / outline.length(),
-        outline_slope: box_slope(outline.points(), outline),
-        fit_slope: box_slope(fit, outline),
+
+    /// As [`fidelity`] measures.
+    pub fn measure(&self, fit: &[DVec2]) -> Fidelity {
+        let (rms, farthest) = self.from_outline(fit);
+        let (hausdorff, length) = self.from_fit(fit, farthest);
+        self.with_slope(fit, rms, hausdorff, length)
+    }
+
+    /// The same where `keeps` says that it is worth it: by the root mean square alone, and then by the Hausdorff
+    /// distance as well. What takes longest comes last.
+    pub fn measure_where(&self, fit: &[DVec2], keeps: impl Fn(f64, Option<f64>) -> bool) -> Option<Fidelity> {
+        let (rms, farthest) = self.from_outline(fit);
+        if !keeps(rms, None) {
+            return None;
+        }
+        let (hausdorff, length) = self.from_fit(fit, farthest);
+        keeps(rms, Some(hausdorff)).then(|| self.with_slope(fit, rms, hausdorff, length))
+    }
+
+    /// The root mean square, and the square of the largest distance of the outline's points.
+    fn from_outline(&self, fit: &[DVec2]) -> (f64, f64) {
+        let to_fit = Nearest::new(fit, true);
+        let points = self.outline.points();
+        let squares = points.iter().map(|&p| to_fit.to(p).squared);
+        let (sum, most) = squares.fold((0.0, 0.0_f64), |(sum, most), x| (sum + x, most.max(x)));
+        (100.0 * (sum / points.len() as f64).sqrt() / self.diagonal, most)
+    }
+
+    /// The Hausdorff distance, of which one direction is known, and the length of the fit.
+    fn from_fit(&self, fit: &[DVec2], mut farthest: f64) -> (f64, f64) {
+        let mut length = 0.0;
+        for (i, &a) in fit.iter().enumerate() {
+            let b = fit[(i + 1) % fit.len()];
+            let side = a.distance(b);
+            length += side;
+            // Between the ends, too: the middle of a long side may be the farthest.
+            let steps = (side / (2e-3 * self.diagonal)).ceil().clamp(1.0, 1000.0);
+            for step in 0..steps as usize {
+                farthest = farthest.max(self.nearest.to(a.lerp(b, step as f64 / steps)).squared);
+            }
+        }
+        (100.0 * farthest.sqrt() / self.diagonal, length)
+    }
+
+    fn with_slope(&self, fit: &[DVec2], rms: f64, hausdorff: f64, length: f64) -> Fidelity {
+        Fidelity {
+            rms,
+            hausdorff,
+            length_ratio: length / self.length,
+            outline_slope: self.slope,
+            fit_slope: box_slope(fit, &self.outline),
+        }
     }
 }
