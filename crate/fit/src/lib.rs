@@ -27,7 +27,7 @@
 //!
 //! # In which order to read it
 //!
-//! 1. `outline`: what is fitted, its feature points, and how near a fit is to it.
+//! 1. `outline`: what is fitted, its corners and feature points, and how near a fit is to it.
 //! 2. `fractal`: a piece, the curves and functions that are made of pieces, and points of them.
 //! 3. `collage` and `hough`: the paper's two ways to find the pieces. `baseline`: what they are compared with.
 //! 4. `closed`: the form that does better. `fitting`: how it is found. `fitter` is the loop, `straight` the polyline

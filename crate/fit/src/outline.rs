@@ -1,6 +1,7 @@
 //! Outlines: closed polylines that are to be fitted.
 
 mod boxes;
+mod corners;
 mod crossing;
 mod decimate;
 mod features;
@@ -11,6 +12,7 @@ mod prepare;
 mod thin;
 
 pub use boxes::{box_slope, box_slope_of};
+pub(crate) use corners::corners;
 pub(crate) use crossing::turn;
 pub use crossing::{contacts, crossings};
 pub use decimate::decimated;

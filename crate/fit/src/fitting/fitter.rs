@@ -2,12 +2,12 @@
 
 use super::final_refine::Finisher;
 use super::fit_error::FitError;
-use super::judge::{Judge, Judged};
+use super::judge::{Judge, Judged, is_exact};
 use super::progress::{ClosedFit, Progress, Stage};
 use super::search::{FITTING_LEVELS, Search};
 use super::straight::Straight;
 use crate::closed::ClosedCurve;
-use crate::outline::{Guard, MAX_PREPARED, Outline};
+use crate::outline::{Guard, MAX_PREPARED, Nearest, Outline, corners};
 
 /// The least and the most numbers a fit may have.
 const NUMBER_RANGE: (usize, usize) = (12, 2000);
@@ -23,14 +23,16 @@ const ROUNDS_UNSEEN: usize = 16;
 
 /// Fits a self-affine closed curve to an outline, one short step after the other.
 ///
-/// It begins with the best polyline of as many numbers, and what it has in the end is no farther from the outline than
+/// An outline of no more corners than the numbers allow is its own fit, at once. Otherwise it begins with the best
+/// polyline of as many numbers, and what it has in the end is no farther from the outline than
 /// that (root mean square, of the curve as it is drawn). Where the outline does not meet itself, the drawn curve does
 /// not either. Every step takes some milliseconds to some hundred; between steps the work may be dropped at any time.
 #[derive(Clone, Debug)]
 pub struct Fitter {
     outline: Outline,
     diagonal: f64,
-    straight: Straight,
+    /// None where the outline itself is no more than that.
+    straight: Option<Straight>,
     search: Option<Search>,
     judge: Option<Judge>,
     finisher: Option<Finisher>,
@@ -49,6 +51,19 @@ impl Fitter {
             return Err(FitError::BadNumbers { numbers });
         }
         let pairs = numbers / 2;
+        if let Some(best) = exact(outline, pairs) {
+            return Ok(Self {
+                outline: outline.clone(),
+                diagonal: outline.diagonal(),
+                straight: None,
+                search: None,
+                judge: None,
+                finisher: None,
+                best,
+                stage: Stage::Done,
+                share: 1.0,
+            });
+        }
         let points = outline.points().len();
         let outline = match points {
             // Of few corners there is more to follow along the sides.
@@ -65,7 +80,7 @@ impl Fitter {
         Ok(Self {
             outline,
             diagonal,
-            straight,
+            straight: Some(straight),
             search: Some(search),
             judge: None,
             finisher: None,
@@ -98,7 +113,7 @@ impl Fitter {
             Stage::Done => {}
         }
         let share = match self.stage {
-            Stage::Straight => 0.1 * self.straight.share(),
+            Stage::Straight => 0.1 * self.straight.as_ref().map_or(1.0, Straight::share),
             Stage::Copies => 0.1,
             Stage::Trade => 0.1 + 0.7 * self.search.as_ref().map_or(1.0, Search::spent),
             Stage::Polish => 0.8 + 0.2 * self.finisher.as_ref().map_or(0.0, Finisher::share),
@@ -125,24 +140,28 @@ impl Fitter {
         {
             judge.show(&curve);
             self.best = of_judge(judge, &self.outline);
+            if is_exact(&judge.best().near) {
+                self.stage = Stage::Done;
+            }
         }
     }
 
     fn straight(&mut self) {
-        if self.straight.step() {
-            let (curve, error) = self.straight.best();
+        let Some(straight) = &mut self.straight else { return };
+        if straight.step() {
+            let (curve, error) = straight.best();
             self.best = ClosedFit { curve: curve.clone(), error };
             return;
         }
-        let guard = self.straight.guard().cloned();
-        let judge = Judge::new(&self.outline, guard.clone(), self.straight.kept());
+        let guard = straight.guard().cloned();
+        let judge = Judge::new(&self.outline, guard.clone(), straight.kept());
         self.best = of_judge(&judge, &self.outline);
+        let near = judge.best().near;
         if let Some(search) = &mut self.search {
-            let rms = judge.best().near.rms / 100.0 * self.diagonal;
-            search.set_line(&self.best.curve, rms, guard);
+            search.set_line(&self.best.curve, near.rms / 100.0 * self.diagonal, guard);
         }
         self.judge = Some(judge);
-        self.stage = Stage::Copies;
+        self.stage = if is_exact(&near) { Stage::Done } else { Stage::Copies };
     }
 
     fn copies(&mut self) {
@@ -187,6 +206,19 @@ fn of_judge(judge: &Judge, outline: &Outline) -> ClosedFit {
     let Judged { curve, near, .. } = judge.best();
     let error = (near.rms / 100.0 * outline.diagonal()).powi(2) * outline.points().len() as f64;
     ClosedFit { curve: curve.clone(), error }
+}
+
+/// An outline of no more than so many corners, as documents keep it. None where it has more, or where that would make
+/// it meet itself.
+fn exact(outline: &Outline, most: usize) -> Option<ClosedFit> {
+    let corners = Outline::new(&corners(outline, most)?).ok()?;
+    let curve = ClosedCurve::polygon(corners.points().to_vec()).quantised().ok()?;
+    if Guard::new(&corners).is_some_and(|guard| !guard.passes(&curve.knots)) {
+        return None;
+    }
+    let nearest = Nearest::new(&curve.knots, true);
+    let error = outline.points().iter().map(|&p| nearest.to(p).squared).sum();
+    Some(ClosedFit { curve, error })
 }
 
 /// Every so manieth point of an outline, so that there are `most` at most.

@@ -30,6 +30,16 @@ const COARSE_SHARE: f64 = 0.005;
 /// The grid of documents is doubled so many times at most.
 const MOST_DOUBLINGS: i32 = 10;
 
+/// A fit that is no farther than this, in percent of the diagonal, cannot be told from its outline: documents keep knots
+/// to a thousandth of a percent.
+const EXACT_RMS: f64 = 5e-4;
+const EXACT_HAUSDORFF: f64 = 5e-3;
+
+/// Whether a fit is all that could be asked of one.
+pub(crate) fn is_exact(near: &Fidelity) -> bool {
+    near.rms <= EXACT_RMS && near.hausdorff <= EXACT_HAUSDORFF
+}
+
 /// How good a fit is, the smaller the better: the root mean square distance, raised a little by how much the
 /// roughness is off and by how far the farthest point is.
 fn score(near: &Fidelity) -> f64 {

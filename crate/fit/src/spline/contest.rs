@@ -1,13 +1,16 @@
 //! The best curve so far of those that keep within the bytes.
 
-use super::Spline;
-use crate::outline::{Guard, MAX_PREPARED, Nearest, Outline};
+use super::{MAX_NODES, Spline};
+use crate::outline::{Guard, MAX_PREPARED, Nearest, Outline, corners};
 
 /// Sides of a parabola where curves are measured.
 pub const SIDES: usize = 16;
 
 /// Bytes that every curve takes: the version, the grid, the first node, the law.
 const HEAD_BYTES: usize = 9;
+
+/// A root mean square that nobody sees, in parts of the diagonal: closed curves are kept as finely.
+const ENOUGH: f64 = 5e-6;
 
 /// What is asked of curves, and the best so far.
 #[derive(Clone, Debug)]
@@ -19,10 +22,17 @@ pub struct Contest {
 }
 
 impl Contest {
-    /// An outline of more than [`MAX_PREPARED`] points is measured at so many places along it.
+    /// An outline of more than [`MAX_PREPARED`] points is measured at so many places along it, at half as many where its
+    /// corners are few.
     pub fn new(outline: &Outline, budget: usize) -> Self {
-        let thick = outline.points().len() > MAX_PREPARED;
-        let outline = if thick { outline.resampled(MAX_PREPARED) } else { outline.clone() };
+        let outline = if outline.points().len() <= MAX_PREPARED {
+            outline.clone()
+        } else if let Some(few) = corners(outline, MAX_NODES).and_then(|few| Outline::new(&few).ok()) {
+            // Places at even distances would miss its corners.
+            few.subdivided(MAX_PREPARED / 2)
+        } else {
+            outline.resampled(MAX_PREPARED)
+        };
         let guard = Guard::new(&outline);
         Self { outline, budget, guard, best: None }
     }
@@ -64,6 +74,13 @@ impl Contest {
     /// Whether no curve can be nearer than the best.
     pub fn is_exact(&self) -> bool {
         self.best.as_ref().is_some_and(|best| best.0 == 0.0)
+    }
+
+    /// Whether the best is so near that it cannot be told from the outline: then there is nothing to look for.
+    pub fn is_enough(&self) -> bool {
+        let most = ENOUGH * self.outline.diagonal();
+        let squares = self.outline.points().len() as f64 * most * most;
+        self.best.as_ref().is_some_and(|best| best.0 <= squares)
     }
 
     /// How many bits are there for nodes.

@@ -158,7 +158,7 @@ impl SplineFitter {
             && grids.step(&mut self.contest)
         {
             self.work = Work::Descents(ways, Some(grids));
-        } else if let Some(from) = ways.pop().filter(|_| !self.contest.is_exact()) {
+        } else if let Some(from) = ways.pop().filter(|_| !self.contest.is_enough()) {
             let most = if matches!(from, Beginning::Kick(_)) { GRIDS_AFTER_KICK } else { GRIDS };
             let grids = Grids::new(&self.followed, &self.contest, from, most);
             self.work = Work::Descents(ways, Some(Box::new(grids)));
@@ -183,7 +183,8 @@ fn followed(outline: &Outline, bytes: usize) -> Outline {
 /// Squares of distances and bits are made small together (rate and distortion, or minimum description length): nodes
 /// are moved on the grid, taken, added, bent. It is not farther from the outline (root mean square) than
 /// [`polyline_within`](crate::polyline_within), with which it begins. Where the outline meets itself nowhere, the curve
-/// does not either.
+/// does not either. An outline whose own corners fit into the bytes, so finely that nobody could tell, is looked for no
+/// further.
 ///
 /// An outline of more than [`MAX_PREPARED`](crate::MAX_PREPARED) points is followed at so many places along it, and
 /// measured at all of its points.

@@ -6,7 +6,7 @@ use super::contest::Contest;
 use super::pack::kept_grid;
 use super::{MAX_NODES, Node, Spline};
 use crate::fitting::Straight;
-use crate::outline::{Outline, turn};
+use crate::outline::{Outline, corners, turn};
 
 /// How many bits a corner may take, all bytes shared out: each makes another number of corners.
 const CORNER_BITS: [f64; 6] = [6.5, 7.5, 8.5, 9.5, 11.0, 13.0];
@@ -21,6 +21,9 @@ const LEAST_BITS: f64 = 2.0;
 /// one before by a root of two.
 const COARSEST: f64 = 12.0;
 const GRIDS: i32 = 28;
+
+/// The same for an outline's own corners, which are exact once the grid is fine enough.
+const OWN_GRIDS: i32 = 36;
 
 /// How many grids are tried within an octave to each side of the finest that holds a polyline.
 const NEAR_GRIDS: i32 = 16;
@@ -38,6 +41,8 @@ pub struct Polylines {
     /// A polyline, and the grids that are left for it.
     corners: Vec<DVec2>,
     grids: Vec<f64>,
+    /// Whether it is the outline itself.
+    own: bool,
     relaxed: bool,
 }
 
@@ -50,13 +55,17 @@ impl Polylines {
             straight: None,
             corners: Vec::new(),
             grids: Vec::new(),
+            own: false,
             relaxed: false,
         };
         polylines.many = polylines.counts.len();
         // What an outline of few corners is itself.
-        let own = without_idle(contest.outline().points().to_vec());
-        if own.len() >= 3 && LEAST_BITS * own.len() as f64 <= contest.free_bits() {
-            polylines.put_on_grids(own, contest);
+        let most = (contest.free_bits() / LEAST_BITS) as usize;
+        let own = corners(contest.outline(), most)
+            .unwrap_or_else(|| without_idle(contest.outline().points().to_vec()));
+        if (3..=most).contains(&own.len()) {
+            polylines.own = true;
+            polylines.put_on_grids(own, contest, OWN_GRIDS);
         }
         polylines
     }
@@ -75,11 +84,13 @@ impl Polylines {
         }
         if let Some(grid) = self.grids.pop() {
             contest.show(on_grid(&self.corners, grid));
+        } else if std::mem::take(&mut self.own) && contest.is_enough() {
+            return false;
         } else if let Some(straight) = &mut self.straight {
             if !straight.step() {
                 let corners = straight.kept().knots;
                 self.straight = None;
-                self.put_on_grids(corners, contest);
+                self.put_on_grids(corners, contest, GRIDS);
             }
         } else if let Some(count) = self.counts.pop() {
             let straight = Straight::new(contest.outline(), count, contest.guard().cloned());
@@ -94,10 +105,10 @@ impl Polylines {
     }
 
     /// Chooses the grids for a polyline.
-    fn put_on_grids(&mut self, corners: Vec<DVec2>, contest: &Contest) {
+    fn put_on_grids(&mut self, corners: Vec<DVec2>, contest: &Contest, many: i32) {
         let diagonal = contest.outline().diagonal();
         let fits = |grid: &f64| contest.fits(&on_grid(&corners, *grid));
-        let grids = (0..GRIDS).map(|i| diagonal / COARSEST * 0.5_f64.powf(f64::from(i) / 2.0));
+        let grids = (0..many).map(|i| diagonal / COARSEST * 0.5_f64.powf(f64::from(i) / 2.0));
         let mut chosen = Vec::new();
         if let Some(finest) = grids.take_while(fits).last() {
             // Around the finest that fits: where corners come to lie is as good as chance.
