@@ -37,7 +37,7 @@ use std::sync::OnceLock;
 
 use binary_image::Bits;
 use colour_cut::ColourCut;
-use components::{NONE, Parts, fill_holes, parts};
+use components::{NONE, fill_holes, parts};
 use fine_edge::fine_edge;
 use morphology::{close_slits, drop_thin, remove_stalks};
 use otsu::{histogram, quantile};
@@ -175,7 +175,9 @@ impl Tracer {
         }
         let most = parts(&bits, true, true).largest(1, 1).all.first().map_or(0, |part| part.area / 20);
         let filled = fill_holes(&mut bits, most, |i| away[i]);
-        let Parts { labels, mut all } = parts(&bits, true, true).largest(2, MAX_PIECES);
+        let pieces = parts(&bits, true, true).largest(2, MAX_PIECES);
+        let labels = pieces.labels();
+        let mut all = pieces.all;
         let mut notices = seen.notices(&all);
         if let Some(frame) = frame {
             frame.mark_cut(&labels, &mut all);

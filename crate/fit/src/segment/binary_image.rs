@@ -15,8 +15,12 @@ impl Bits {
 
     /// The pixels whose value is above a level.
     pub fn above(values: &[u8], width: usize, height: usize, level: f64) -> Self {
-        let table: Vec<bool> = (0..256).map(|value| f64::from(value) > level).collect();
-        Self { width, height, on: values.iter().map(|&value| table[usize::from(value)]).collect() }
+        let least = (0..=u8::MAX).find(|&value| f64::from(value) > level);
+        let on = match least {
+            Some(least) => values.iter().map(|&value| value >= least).collect(),
+            None => vec![false; values.len()],
+        };
+        Self { width, height, on }
     }
 
     /// What is within left, top, right and bottom; right and bottom are the first outside.
@@ -71,13 +75,20 @@ impl Bits {
             before.extend_from_slice(row);
             spread(&before, radius, to, |i| row[i] = to);
         }
-        let mut column = Vec::new();
-        for x in 0..self.width {
-            column.clear();
-            column.extend((0..self.height).map(|y| self.on[y * self.width + x]));
-            let (on, width) = (&mut self.on, self.width);
-            spread(&column, radius, to, |y| on[y * width + x] = to);
+        // How many rows ago each column had one, down and up: row by row, as pixels lie in memory.
+        let radius = u16::try_from(radius).unwrap_or(u16::MAX).min(u16::MAX - 1);
+        let mut near = vec![false; self.on.len()];
+        let mut since = vec![u16::MAX; self.width];
+        let rows = || self.on.chunks_exact(self.width);
+        for (row, near) in rows().zip(near.chunks_exact_mut(self.width)) {
+            see(row, to, radius, &mut since, near);
         }
+        since.fill(u16::MAX);
+        for (row, near) in rows().zip(near.chunks_exact_mut(self.width)).rev() {
+            see(row, to, radius, &mut since, near);
+        }
+        near.iter_mut().for_each(|near| *near = *near == to);
+        self.on = near;
     }
 
     /// All pixels at most `radius` from one that is on.
@@ -101,6 +112,14 @@ impl Bits {
     }
 }
 
+/// Takes the next row, and notes where the last that was `wanted` is at most `radius` rows away.
+fn see(row: &[bool], wanted: bool, radius: u16, since: &mut [u16], near: &mut [bool]) {
+    for ((&on, since), near) in row.iter().zip(since).zip(near) {
+        *since = if on == wanted { 0 } else { since.saturating_add(1) };
+        *near |= *since <= radius;
+    }
+}
+
 /// Calls for each place at most `radius` from one that is `wanted`.
 fn spread(line: &[bool], radius: usize, wanted: bool, mut mark: impl FnMut(usize)) {
     let mut done = 0;
@@ -118,18 +137,19 @@ fn spread(line: &[bool], radius: usize, wanted: bool, mut mark: impl FnMut(usize
 pub fn squared_distances(bits: &Bits, from: bool) -> Vec<f32> {
     let (width, height) = (bits.width, bits.height);
     let mut squares = vec![f32::INFINITY; width * height];
-    // Down and up each column: how far the next one is.
-    for start in 0..width {
-        let mut far = f32::INFINITY;
-        for y in 0..height {
-            far = if bits.on[y * width + start] == from { 0.0 } else { far + 1.0 };
-            squares[y * width + start] = far;
+    // Down and up, row by row: how far the next one of each column is.
+    let mut far = vec![f32::INFINITY; width];
+    for (row, squares) in bits.on.chunks_exact(width).zip(squares.chunks_exact_mut(width)) {
+        for ((&on, far), square) in row.iter().zip(&mut far).zip(squares) {
+            *far = if on == from { 0.0 } else { *far + 1.0 };
+            *square = *far;
         }
-        far = f32::INFINITY;
-        for y in (0..height).rev() {
-            far = if bits.on[y * width + start] == from { 0.0 } else { far + 1.0 };
-            let square = &mut squares[y * width + start];
-            *square = square.min(far) * square.min(far);
+    }
+    far.fill(f32::INFINITY);
+    for (row, squares) in bits.on.chunks_exact(width).zip(squares.chunks_exact_mut(width)).rev() {
+        for ((&on, far), square) in row.iter().zip(&mut far).zip(squares) {
+            *far = if on == from { 0.0 } else { *far + 1.0 };
+            *square = square.min(*far) * square.min(*far);
         }
     }
     let mut tops: Vec<(usize, f64)> = Vec::with_capacity(width);

@@ -79,9 +79,10 @@ impl Opponent {
 
     fn distance(self, other: Self) -> u8 {
         let shade = 0.5 * (self.light - other.light);
-        let hue = (self.yellow - other.yellow).hypot(self.red - other.red);
+        let (yellow, red) = (self.yellow - other.yellow, self.red - other.red);
+        let hue_squared = yellow * yellow + red * red;
         // 255 at most: what is farther is far enough.
-        shade.hypot(1.6 * hue).round() as u8
+        ((shade * shade + 1.6 * 1.6 * hue_squared).sqrt() + 0.5) as u8
     }
 }
 

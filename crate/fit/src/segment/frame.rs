@@ -9,7 +9,7 @@ mod round;
 mod straight;
 
 use super::binary_image::Bits;
-use super::components::{NONE, parts};
+use super::components::parts;
 use super::notice::Surround;
 use round::Disc;
 use straight::Quad;
@@ -153,8 +153,7 @@ pub fn of_clear(rgba: &[u8], width: usize, height: usize) -> Option<Frame> {
 fn found(small: &Sampled<'_>, even: &Bits, clear: bool) -> Option<Frame> {
     let (width, height) = (small.width, small.height);
     let pieces = parts(even, true, false);
-    let at_border = |&label: &u32| label != NONE && pieces.all[label as usize].touches_border;
-    let frame = Bits { width, height, on: pieces.labels.iter().map(at_border).collect() };
+    let frame = pieces.bits_where(width, height, |label| pieces.all[label].touches_border);
     let all = width * height;
     let open = all - frame.count();
     if (open as f64) < LEAST_FIELD * all as f64 || open == all {

@@ -2,7 +2,7 @@
 //! it.
 
 use super::binary_image::{Bits, squared_distances};
-use super::components::{NONE, Parts, parts};
+use super::components::{Parts, parts};
 
 /// Adds what is a little like the leaf and lies in a gap of it no wider than twice `radius`: the bits of a pale stalk
 /// that lies across the blade, of a vein, of a glint. Gaps in which the ground is seen stay.
@@ -69,18 +69,21 @@ fn stalks(bits: &Bits, whole: &Parts, width: f64) -> Vec<(usize, f64, Vec<usize>
     let far = squared_distances(&blade, true);
     let thin = parts(&thin, true, true);
     let mut measured = vec![Thin::default(); thin.all.len()];
-    let each = || thin.labels.iter().zip(&far).filter(|(label, far)| **label != NONE && far.is_finite());
-    for (&label, &far) in each() {
-        let part = &mut measured[label as usize];
+    let each = || {
+        let runs = thin.runs().flat_map(|(run, label)| far[run].iter().map(move |&far| (label, far)));
+        runs.filter(|(_, far)| far.is_finite())
+    };
+    for (label, far) in each() {
+        let part = &mut measured[label];
         part.reach = part.reach.max(far.sqrt());
     }
-    for (&label, &far) in each() {
-        let part = &mut measured[label as usize];
+    for (label, far) in each() {
+        let part = &mut measured[label];
         if far.sqrt() > 0.5 * part.reach { part.far += 1 } else { part.near += 1 }
     }
     let mut best: Vec<Option<(usize, f64)>> = vec![None; whole.all.len()];
     for (i, part) in thin.all.iter().enumerate() {
-        let owner = whole.labels[part.at[1] * bits.width + part.at[0]] as usize;
+        let Some(owner) = whole.of(part.at[1] * bits.width + part.at[0]) else { continue };
         // What is thin all over has no blade to hang on.
         let Some(score) = measured[i].as_stalk(width).filter(|_| part.area < whole.all[owner].area) else {
             continue;
@@ -91,7 +94,7 @@ fn stalks(bits: &Bits, whole: &Parts, width: f64) -> Vec<(usize, f64, Vec<usize>
     }
     let mut found = Vec::new();
     for (owner, (i, score)) in best.iter().enumerate().filter_map(|(owner, best)| Some((owner, (*best)?))) {
-        let pixels = (0..thin.labels.len()).filter(|&k| thin.labels[k] == i as u32).collect();
+        let pixels = thin.runs().filter(|(_, label)| *label == i).flat_map(|(run, _)| run).collect();
         found.push((owner, score, pixels));
     }
     found
@@ -105,15 +108,16 @@ pub fn drop_thin(bits: &mut Bits, radius: usize) {
     if let Some(first) = kept.first_mut() {
         *first = true;
     }
-    for (i, &label) in found.labels.iter().enumerate().filter(|(i, _)| thick.on[*i]) {
-        let (x, y) = (i % bits.width, i / bits.width);
+    let (width, height) = (bits.width, bits.height);
+    for (run, label) in found.runs() {
         // Near the border it cannot be told how wide it is.
-        let inner = x.min(bits.width - 1 - x).min(y).min(bits.height - 1 - y) > 2 * radius;
-        kept[label as usize] |= inner;
+        let inner = |i: usize| {
+            let (x, y) = (i % width, i / width);
+            x.min(width - 1 - x).min(y).min(height - 1 - y) > 2 * radius
+        };
+        kept[label] = kept[label] || run.clone().any(|i| thick.on[i] && inner(i));
     }
-    for (on, &label) in bits.on.iter_mut().zip(&found.labels) {
-        *on &= label != NONE && kept[label as usize];
-    }
+    *bits = found.bits_where(width, height, |label| kept[label]);
 }
 
 #[cfg(test)]

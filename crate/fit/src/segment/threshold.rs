@@ -55,7 +55,8 @@ pub fn choose(rgba: &[u8], width: usize, height: usize) -> Option<Choice> {
             for _ in 0..blurs {
                 values = blur(&values, width);
             }
-            if let Some((score, mut choice)) = judge(channel, values, width, height)
+            let most = best.as_ref().map_or(0.0, |(most, _)| *most);
+            if let Some((score, mut choice)) = judge(channel, values, width, height, most)
                 && best.as_ref().is_none_or(|(most, _)| score > *most)
             {
                 choice.smoothed = blurs > 0;
@@ -91,10 +92,21 @@ fn over_white(rgba: &[u8], alpha: &[u8]) -> Option<Vec<u8>> {
     Some(seen)
 }
 
-/// Draws the line in one channel and says how well it parts a shape from its ground.
-fn judge(channel: Channel, mut values: Vec<u8>, width: usize, height: usize) -> Option<(f64, Choice)> {
+/// Draws the line in one channel and says how well it parts a shape from its ground; None where that is no better than
+/// `least`.
+fn judge(
+    channel: Channel,
+    mut values: Vec<u8>,
+    width: usize,
+    height: usize,
+    least: f64,
+) -> Option<(f64, Choice)> {
     let mut level = split(&histogram(&values))?;
     let contrast = level.bright - level.dark;
+    // However whole it is.
+    if level.separation * contrast / (contrast + 20.0) < least {
+        return None;
+    }
     let share = |bits: &Bits| {
         let all = border(width, height).count().max(1);
         border(width, height).filter(|&i| bits.on[i]).count() as f64 / all as f64
