@@ -26,13 +26,15 @@ pub(crate) struct Finisher {
     reach: f64,
     /// What is still to be done: curves and weights.
     ways: Vec<(Option<ClosedCurve>, f64)>,
+    /// The curve that these ways set out from.
+    start: Option<ClosedCurve>,
     now: Option<(ClosedCurve, f64, usize)>,
     many: usize,
 }
 
 impl Finisher {
-    /// Prepares for curves, the best first. `tolerance` and `levels` are those of [`Refiner::new`], `reach` is that of
-    /// [`Ties`].
+    /// Prepares for curves, the best first, which follow an outline. `tolerance` and `levels` are those of
+    /// [`Refiner::new`], `reach` is that of [`Ties`].
     pub fn new(
         outline: &Outline,
         judge: Judge,
@@ -53,7 +55,7 @@ impl Finisher {
         }
         ways.reverse();
         let many = ways.len();
-        let mut finisher = Self { judge, refiner, reach, ways, now: None, many };
+        let mut finisher = Self { judge, refiner, reach, ways, start: None, now: None, many };
         finisher.begin(None);
         finisher
     }
@@ -89,11 +91,19 @@ impl Finisher {
         let Some((curve, back)) = self.ways.pop() else { return false };
         if let Some(curve) = &curve {
             self.judge.show(curve);
+            self.start = Some(curve.clone());
         }
-        let Some(curve) = curve.or(before) else { return false };
+        let Some(mut curve) = curve.or(before) else { return false };
         self.refiner.set_ties(Ties { back, beyond: BEYOND_SHARE * back, far: 0.0, reach: 0.8 * self.reach });
         self.refiner.reset();
-        let error = self.refiner.error(&curve);
+        let mut error = self.refiner.error(&curve);
+        // Where nothing tied it, a knot that no point of the outline sees may have gone anywhere.
+        if let Some(start) = self.start.as_ref().filter(|start| **start != curve) {
+            let from_start = self.refiner.error(start);
+            if from_start < error {
+                (curve, error) = (start.clone(), from_start);
+            }
+        }
         self.now = Some((curve, error, 0));
         true
     }

@@ -5,9 +5,9 @@ use super::fit_error::FitError;
 use super::judge::{Judge, Judged, is_exact};
 use super::progress::{ClosedFit, Progress, Stage};
 use super::search::{FITTING_LEVELS, Search};
-use super::straight::Straight;
+use super::straight::{Straight, enough_points};
 use crate::closed::ClosedCurve;
-use crate::outline::{Guard, MAX_PREPARED, Nearest, Outline, corners};
+use crate::outline::{self, Guard, MAX_PREPARED, Nearest, Outline, corners};
 
 /// The least and the most numbers a fit may have.
 const NUMBER_RANGE: (usize, usize) = (12, 2000);
@@ -75,8 +75,11 @@ impl Fitter {
         let straight = Straight::new(&outline, pairs, Guard::new(&outline));
         let (curve, error) = straight.best();
         let best = ClosedFit { curve: curve.clone(), error };
-        let thin = thinned(&outline, MAX_FOLLOWED.max(6 * pairs));
-        let search = Search::new(thin, pairs, FITTING_TOLERANCE * diagonal);
+        let most = MAX_FOLLOWED.max(6 * pairs);
+        let thin = thinned(&outline, most.min(enough_points(pairs)));
+        // As many rounds as with all of them.
+        let share = thin.points().len() as f64 / outline.points().len().min(most) as f64;
+        let search = Search::new(thin, pairs, FITTING_TOLERANCE * diagonal, share);
         Ok(Self {
             outline,
             diagonal,
@@ -184,10 +187,11 @@ impl Fitter {
     fn polish(&mut self) {
         if let (Some(search), Some(judge)) = (self.search.take(), self.judge.take()) {
             let reach = search.reach();
+            let followed = search.followed().clone();
             let curves = search.into_found();
             let tolerance = FITTING_TOLERANCE * self.diagonal / 3.0;
             self.finisher =
-                Some(Finisher::new(&self.outline, judge, &curves, tolerance, FITTING_LEVELS + 1, reach));
+                Some(Finisher::new(&followed, judge, &curves, tolerance, FITTING_LEVELS + 1, reach));
             return;
         }
         let Some(finisher) = &mut self.finisher else {
@@ -221,10 +225,9 @@ fn exact(outline: &Outline, most: usize) -> Option<ClosedFit> {
     Some(ClosedFit { curve, error })
 }
 
-/// Every so manieth point of an outline, so that there are `most` at most.
+/// Some points of an outline, `most` at most.
 fn thinned(outline: &Outline, most: usize) -> Outline {
-    let stride = outline.points().len().div_ceil(most);
-    let ring: Vec<_> = outline.points().iter().copied().step_by(stride).collect();
+    let ring = outline::thinned(outline.points(), most);
     // One that crosses itself may be turned round, which its points are not to be.
     Outline::new(&ring)
         .ok()

@@ -24,6 +24,9 @@ const MOST_HAUSDORFF: f64 = 4.5;
 /// What each further one counts.
 const FAR_WEIGHT: f64 = 0.005;
 
+/// Beyond this, in percent of the diagonal, all of it counts: a spike may take nothing from the root mean square.
+const STRAY: f64 = 25.0;
+
 /// What a coarser grid may add to the error, in parts of it: it saves some eight bits a knot.
 const COARSE_SHARE: f64 = 0.005;
 
@@ -32,7 +35,7 @@ const MOST_DOUBLINGS: i32 = 10;
 
 /// A fit that is no farther than this, in percent of the diagonal, cannot be told from its outline: documents keep knots
 /// to a thousandth of a percent.
-const EXACT_RMS: f64 = 5e-4;
+const EXACT_RMS: f64 = 1e-3;
 const EXACT_HAUSDORFF: f64 = 5e-3;
 
 /// Whether a fit is all that could be asked of one.
@@ -49,8 +52,8 @@ fn score(near: &Fidelity) -> f64 {
 /// With a difference of 0 no more than with any other.
 fn score_of(rms: f64, hausdorff: f64, slope_difference: f64) -> f64 {
     let slope = (slope_difference.abs() - SLOPE_TOLERANCE).max(0.0);
-    let far = if rms > 0.0 { (hausdorff / rms - MOST_HAUSDORFF).clamp(0.0, 20.0) } else { 0.0 };
-    rms * (1.0 + SLOPE_WEIGHT * slope + FAR_WEIGHT * far)
+    let far = if rms > 0.0 { (hausdorff / rms - MOST_HAUSDORFF).max(0.0) } else { 0.0 };
+    rms * (1.0 + SLOPE_WEIGHT * slope + FAR_WEIGHT * far) + (hausdorff - STRAY).max(0.0)
 }
 
 /// A curve as documents keep it, and how near it is.

@@ -45,6 +45,10 @@ pub(crate) const FITTING_LEVELS: usize = 3;
 /// What a search may cost, in the refiner's units of work: so much, and so much more for each pair of numbers.
 const WORK: (u64, u64) = (14_000_000, 84_000);
 
+/// The most rounds for each point that is followed, and for each pair of numbers: in outlines of few points there is
+/// less to be found.
+const ROUNDS: (usize, usize) = (8, 20);
+
 /// A search that gains less than this share over this part of its work ends.
 const STALL: (f64, f64) = (0.002, 0.4);
 
@@ -56,6 +60,9 @@ const BATCH_SHARE: f64 = 0.05;
 pub(crate) struct Search {
     /// The points that are followed, as an outline.
     thin: Outline,
+    /// What it may cost, and how many rounds it may have.
+    whole: u64,
+    most_rounds: usize,
     pairs: usize,
     refiner: Refiner,
     tolerance: f64,
@@ -87,10 +94,15 @@ pub(crate) struct Search {
 }
 
 impl Search {
-    /// Prepares for so many pairs of numbers. `tolerance` is that of [`Refiner::new`].
-    pub fn new(thin: Outline, pairs: usize, tolerance: f64) -> Self {
+    /// Prepares for so many pairs of numbers. `tolerance` is that of [`Refiner::new`]; of what a search may cost, this
+    /// one has a `share`.
+    pub fn new(thin: Outline, pairs: usize, tolerance: f64, share: f64) -> Self {
         let refiner = Refiner::new(thin.points().to_vec(), tolerance, FITTING_LEVELS);
+        let whole = (share * (WORK.0 + WORK.1 * pairs as u64) as f64) as u64;
+        let most_rounds = ROUNDS.0 * thin.points().len() + ROUNDS.1 * pairs;
         Self {
+            whole,
+            most_rounds,
             thin,
             pairs,
             refiner,
@@ -126,6 +138,11 @@ impl Search {
         }
     }
 
+    /// The points that are followed.
+    pub fn followed(&self) -> &Outline {
+        &self.thin
+    }
+
     /// How far the curve may stray, in plane units.
     pub fn reach(&self) -> f64 {
         self.reach
@@ -156,12 +173,13 @@ impl Search {
         curves
     }
 
-    /// How much of the search is over: of its work, or of the patience with one that gains nothing.
+    /// How much of the search is over: of its work, its rounds, or the patience with one that gains nothing.
     pub fn spent(&self) -> f64 {
-        let whole = (WORK.0 + WORK.1 * self.pairs as u64) as f64;
+        let whole = self.whole as f64;
         let work = self.refiner.work();
         let idle = (work - self.least.1.min(work)) as f64 / (STALL.1 * whole);
-        (work as f64 / whole).max(idle.min(1.0).powi(4)).min(1.0)
+        let tried = self.rounds as f64 / self.most_rounds as f64;
+        (work as f64 / whole).max(tried).max(idle.min(1.0).powi(4)).min(1.0)
     }
 
     fn begin(&mut self, marks: Vec<usize>) {
@@ -261,6 +279,7 @@ impl Search {
         if moves.is_empty() {
             self.anneal();
             self.outlook = Some(outlook);
+            self.grow_stale();
             return true;
         }
         let next = self.now.after(&moves, self.thin.points(), outlook.library());
@@ -293,12 +312,17 @@ impl Search {
             }
             self.batch = (self.batch / 2).max(1);
             self.outlook = Some(outlook);
-            self.stale += 1;
-            if self.stale >= IDLE_ROUNDS {
-                self.set_out();
-            }
+            self.grow_stale();
         }
         true
+    }
+
+    /// One more round without a gain. One in which nothing is left to try is one, too.
+    fn grow_stale(&mut self) {
+        self.stale += 1;
+        if self.stale >= IDLE_ROUNDS {
+            self.set_out();
+        }
     }
 
     /// The second part of the search: the curve may stray more. It begins with the best so far, the polyline among it.

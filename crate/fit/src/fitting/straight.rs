@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::partition::partition;
 use super::refine::{Refiner, Ties};
 use crate::closed::ClosedCurve;
-use crate::outline::{Guard, Outline, decimated, features};
+use crate::outline::{Guard, Outline, decimated, features, thinned};
 
 /// The most steps of least squares from each beginning.
 const MOST_STEPS: usize = 40;
@@ -13,12 +13,21 @@ const MOST_STEPS: usize = 40;
 /// A step that gains less than this share is the last.
 const LEAST_GAIN: f64 = 1e-5;
 
-/// Nothing but the distance of the outline's points from the curve counts: that is what is measured.
-const NO_TIES: Ties = Ties { back: 0.0, beyond: 0.0, far: 0.0, reach: 0.0 };
+/// So many points of the outline are enough to be followed, and so many more for each corner.
+const FOLLOWED: (usize, usize) = (1000, 20);
+
+/// A root mean square that no document keeps, in parts of the diagonal.
+const EXACT: f64 = 1e-6;
+
+/// The distance of the outline's points from the curve counts: that is what is measured. Beyond a reach, in parts of the
+/// diagonal, the curve's own counts, too: else a corner that no point of the outline sees may go anywhere.
+const TIES: Ties = Ties { back: 0.0, beyond: 1.0, far: 0.0, reach: 0.0 };
+const REACH: f64 = 0.25;
 
 /// Looks for the polyline of so many corners that is nearest to the points of an outline, step by step.
 ///
-/// It sets out from corners chosen in three ways and moves them by least squares. It never crosses itself where the
+/// It sets out from corners chosen in three ways and moves them by least squares, at first of some points, at last of
+/// all. It never crosses itself where the
 /// outline does not: the first beginning does not, and no step is made that would.
 #[derive(Clone, Debug)]
 pub(crate) struct Straight {
@@ -26,6 +35,12 @@ pub(crate) struct Straight {
     corners: usize,
     guard: Option<Guard>,
     refiner: Refiner,
+    /// That of all points, until it is its turn.
+    whole: Option<Refiner>,
+    /// The squares of the points that are followed are to be multiplied by it.
+    scale: f64,
+    /// A sum of squares at which there is nothing left to do.
+    exact: f64,
     beginnings: Vec<fn(&Outline, usize) -> Vec<usize>>,
     now: Option<(ClosedCurve, f64, usize)>,
     best: ClosedCurve,
@@ -37,8 +52,17 @@ impl Straight {
     /// Prepares for so many corners, 3 at least. From the start on there is a polyline.
     pub fn new(outline: &Outline, corners: usize, guard: Option<Guard>) -> Self {
         let corners = corners.clamp(3, outline.points().len().max(3));
-        let mut refiner = Refiner::new(outline.points().to_vec(), 0.0, 1);
-        refiner.set_ties(NO_TIES);
+        let refiner_of = |points: Vec<DVec2>| {
+            let mut refiner = Refiner::new(points, 0.0, 1);
+            refiner.set_ties(Ties { reach: REACH * outline.diagonal(), ..TIES });
+            refiner
+        };
+        let all = outline.points();
+        let some = thinned(all, enough_points(corners));
+        let scale = all.len() as f64 / some.len() as f64;
+        let mut whole = (some.len() < all.len()).then(|| refiner_of(all.to_vec()));
+        let exact = (EXACT * outline.diagonal()).powi(2) * some.len() as f64;
+        let mut refiner = refiner_of(some);
         let first = of_marks(outline, &decimated(outline, corners));
         let mut guard = guard;
         if guard.as_ref().is_some_and(|guard| !guard.passes(&first.knots)) {
@@ -46,11 +70,27 @@ impl Straight {
             guard = None;
         }
         refiner.set_guard(guard.clone());
+        if let Some(whole) = &mut whole {
+            whole.set_guard(guard.clone());
+        }
         let error = refiner.error(&first);
         let beginnings: Vec<fn(&Outline, usize) -> Vec<usize>> = vec![partition, features];
-        let many = beginnings.len() + 1;
+        let many = beginnings.len() + 1 + usize::from(whole.is_some());
         let now = Some((first.clone(), error, 0));
-        Self { outline: outline.clone(), corners, guard, refiner, beginnings, now, best: first, error, many }
+        Self {
+            outline: outline.clone(),
+            corners,
+            guard,
+            refiner,
+            whole,
+            scale,
+            exact,
+            beginnings,
+            now,
+            best: first,
+            error,
+            many,
+        }
     }
 
     /// What holds for all that is found.
@@ -58,22 +98,23 @@ impl Straight {
         self.guard.as_ref()
     }
 
-    /// The best so far, and its sum of squares.
+    /// The best so far, and its sum of squares, about.
     pub fn best(&self) -> (&ClosedCurve, f64) {
-        (&self.best, self.error)
+        (&self.best, self.scale * self.error)
     }
 
     /// How far it is: 0 to 1.
     pub fn share(&self) -> f64 {
         let steps = self.now.as_ref().map_or(0, |now| now.2);
-        let left = self.beginnings.len() + usize::from(self.now.is_some());
+        let left =
+            self.beginnings.len() + usize::from(self.whole.is_some()) + usize::from(self.now.is_some());
         1.0 - (left as f64 - steps as f64 / MOST_STEPS as f64) / self.many as f64
     }
 
     /// One step; false where there is nothing more to do.
     pub fn step(&mut self) -> bool {
         let Some((mut curve, error, steps)) = self.now.take() else {
-            let Some(beginning) = self.beginnings.pop() else { return false };
+            let Some(beginning) = self.beginnings.pop() else { return self.follow_all() };
             let marks = beginning(&self.outline, self.corners);
             if marks.len() >= 3 {
                 let curve = of_marks(&self.outline, &marks);
@@ -89,9 +130,24 @@ impl Straight {
         if next < self.error {
             (self.best, self.error) = (curve.clone(), next);
         }
+        if self.error <= self.exact {
+            self.beginnings.clear();
+            return true;
+        }
         if moved && next < error * (1.0 - LEAST_GAIN) && steps + 1 < MOST_STEPS {
             self.now = Some((curve, next, steps + 1));
         }
+        true
+    }
+
+    /// From now on all points are followed; false where they are already.
+    fn follow_all(&mut self) -> bool {
+        let Some(whole) = self.whole.take() else { return false };
+        self.refiner = whole;
+        self.exact *= self.scale;
+        self.scale = 1.0;
+        self.error = self.refiner.error(&self.best);
+        self.now = Some((self.best.clone(), self.error, 0));
         true
     }
 
@@ -106,6 +162,11 @@ impl Straight {
         let fine = |curve: &ClosedCurve| self.guard.as_ref().is_none_or(|guard| guard.passes(&curve.knots));
         self.best.quantised().ok().filter(fine).unwrap_or_else(|| self.best.clone())
     }
+}
+
+/// How many points of an outline are enough to be followed by so many corners, or pairs of numbers.
+pub(crate) fn enough_points(corners: usize) -> usize {
+    FOLLOWED.0 + FOLLOWED.1 * corners
 }
 
 fn of_marks(outline: &Outline, marks: &[usize]) -> ClosedCurve {
