@@ -96,7 +96,8 @@ fn corners_that_cost_more_than_was_asked_for_are_looked_for_as_before() {
 #[test]
 fn a_search_that_finds_what_is_exact_ends_there() {
     // A hexagon whose corners are cut off by next to nothing: 12 corners, of which six will do.
-    let hexagon: Vec<DVec2> = (0..6).map(|i| DVec2::from_angle(f64::from(i) * 1.0472)).collect();
+    let hexagon: Vec<DVec2> =
+        (0..6).map(|i| DVec2::from_angle(f64::from(i) * std::f64::consts::FRAC_PI_3)).collect();
     let cut = |i: usize| {
         let (before, p, after) = (hexagon[(i + 5) % 6], hexagon[i], hexagon[(i + 1) % 6]);
         [p.lerp(before, 2e-7), p.lerp(after, 2e-7)]

@@ -113,8 +113,8 @@ impl Normal {
 
     /// The least squares, where each unknown pays for its size: a share `damping` of what it weighs in the rows, and of
     /// the mean of that. By conjugate gradients (Björck, "Numerical methods for least squares problems", 1996, section
-    /// 7.4). None where something is not finite.
-    pub fn solve(&self, damping: f64) -> Option<Vec<f64>> {
+    /// 7.4). None where something is not finite. How many products are summed is added to `work`.
+    pub fn solve(&self, damping: f64, work: &mut u64) -> Option<Vec<f64>> {
         let n = self.weights.len();
         let mean = self.weights.iter().sum::<f64>() / n.max(1) as f64;
         let ridge: Vec<f64> = self
@@ -129,11 +129,13 @@ impl Normal {
         let mut norm: f64 = rest.iter().zip(&along).map(|(r, z)| r * z).sum();
         let aim = norm * ENOUGH * ENOUGH;
         let mut image = vec![0.0; n];
+        let products: u64 = self.groups.iter().map(|group| group.matrix.len() as u64).sum();
         for _ in 0..MOST_ROUNDS.min(2 * n) {
             if norm.is_nan() || norm <= aim {
                 break;
             }
             self.times(&along, &mut image);
+            *work += products;
             let mut steep = 0.0;
             for i in 0..n {
                 image[i] += ridge[i] * along[i];
@@ -187,10 +189,10 @@ mod tests {
                 3.0 * x - 2.0 + if i % 2 == 0 { 0.1 } else { -0.1 },
             );
         }
-        let found = rows.normal().solve(0.0).unwrap();
+        let found = rows.normal().solve(0.0, &mut 0).unwrap();
         assert!((found[0] - 3.0).abs() < 0.02 && (found[1] + 2.0).abs() < 0.05, "{found:?}");
         // Damped, it goes less far.
-        assert!(rows.normal().solve(10.0).unwrap()[0] < 0.5);
+        assert!(rows.normal().solve(10.0, &mut 0).unwrap()[0] < 0.5);
         assert_eq!(rows.entries(), 40);
     }
 
@@ -231,9 +233,9 @@ mod tests {
 
     #[test]
     fn nothing_known_is_no_step() {
-        assert_eq!(Rows::new(3, 0).normal().solve(1.0), Some(vec![0.0; 3]));
+        assert_eq!(Rows::new(3, 0).normal().solve(1.0, &mut 0), Some(vec![0.0; 3]));
         let mut rows = Rows::new(1, 1);
         rows.add(0, &[(0, f64::NAN)], 1.0);
-        assert_eq!(rows.normal().solve(1.0).filter(|x| x[0] != 0.0), None);
+        assert_eq!(rows.normal().solve(1.0, &mut 0).filter(|x| x[0] != 0.0), None);
     }
 }

@@ -10,6 +10,9 @@ use crate::closed::expansion::Vertex;
 use crate::closed::{CONTRACTION, ClosedCurve, FITTING_SHARE};
 use crate::outline::{Guard, Near, Nearest};
 
+/// So many products take about as long as one point that is looked up.
+const PRODUCTS: u64 = 32;
+
 /// What it costs the curve to be off the outline, where the outline's points do not see it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ties {
@@ -164,10 +167,17 @@ impl Refiner {
     /// whether it was.
     pub fn step(&mut self, curve: &mut ClosedCurve, error: f64) -> (f64, bool) {
         let system = self.system(curve);
-        self.work += (self.points.len() + system.entries()) as u64;
+        // Where the points are few and the copies many, it is not looking up that takes long.
+        let mut paid = (self.points.len() + system.entries()) as u64;
+        self.work += paid;
         let system = system.normal();
         for _ in 0..6 {
-            let Some(change) = system.solve(self.damping) else {
+            let mut products = 0;
+            let change = system.solve(self.damping, &mut products);
+            let solving = products / PRODUCTS;
+            self.work += solving.saturating_sub(paid);
+            paid = paid.saturating_sub(solving);
+            let Some(change) = change else {
                 self.damping *= 8.0;
                 continue;
             };

@@ -56,24 +56,24 @@ impl Gauge {
 
     /// As [`fidelity`] measures.
     pub fn measure(&self, fit: &[DVec2]) -> Fidelity {
-        let (rms, farthest) = self.from_outline(fit);
-        let (hausdorff, length) = self.from_fit(fit, farthest);
+        let (rms, farthest) = self.squares_of(fit);
+        let (hausdorff, length) = self.reach_of(fit, farthest);
         self.with_slope(fit, rms, hausdorff, length)
     }
 
     /// The same where `keeps` says that it is worth it: by the root mean square alone, and then by the Hausdorff
     /// distance as well. What takes longest comes last.
     pub fn measure_where(&self, fit: &[DVec2], keeps: impl Fn(f64, Option<f64>) -> bool) -> Option<Fidelity> {
-        let (rms, farthest) = self.from_outline(fit);
+        let (rms, farthest) = self.squares_of(fit);
         if !keeps(rms, None) {
             return None;
         }
-        let (hausdorff, length) = self.from_fit(fit, farthest);
+        let (hausdorff, length) = self.reach_of(fit, farthest);
         keeps(rms, Some(hausdorff)).then(|| self.with_slope(fit, rms, hausdorff, length))
     }
 
     /// The root mean square, and the square of the largest distance of the outline's points.
-    fn from_outline(&self, fit: &[DVec2]) -> (f64, f64) {
+    fn squares_of(&self, fit: &[DVec2]) -> (f64, f64) {
         let to_fit = Nearest::new(fit, true);
         let points = self.outline.points();
         let squares = points.iter().map(|&p| to_fit.to(p).squared);
@@ -82,7 +82,7 @@ impl Gauge {
     }
 
     /// The Hausdorff distance, of which one direction is known, and the length of the fit.
-    fn from_fit(&self, fit: &[DVec2], mut farthest: f64) -> (f64, f64) {
+    fn reach_of(&self, fit: &[DVec2], mut farthest: f64) -> (f64, f64) {
         let mut length = 0.0;
         for (i, &a) in fit.iter().enumerate() {
             let b = fit[(i + 1) % fit.len()];
