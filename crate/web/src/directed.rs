@@ -21,7 +21,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::palette::read_palette;
-use crate::boundary::value::{Row, longer_than, object, point, read, write};
+use crate::boundary::value::{Row, longer_than, object, point, read, read_given, write};
 
 #[derive(Deserialize, Serialize)]
 struct PlainMap {
@@ -108,7 +108,7 @@ pub fn outline_shape(
     }
     let plain: Curve = read("The curve", curve)?;
     let mut curve = ClosedCurve::from(&plain);
-    let within: Option<[f64; 4]> = read("The box", within)?;
+    let within: Option<[f64; 4]> = read_given("The box", within)?;
     if let Some([x0, y0, x1, y1]) = within {
         let low = curve.knots.iter().copied().fold(DVec2::INFINITY, DVec2::min);
         let high = curve.knots.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
@@ -210,7 +210,7 @@ struct Plain {
 
 /// Draws a state of a graph-directed system, complete, as `rasterize` does: coloured by its maps, or, at a `level` of 1
 /// to 8, by the states that are copied there after so many maps. There may be 1024 states.
-#[wasm_bindgen(js_name = rasterizeDirected, unchecked_return_type = "Uint8ClampedArray")]
+#[wasm_bindgen(js_name = rasterizeDirected, unchecked_return_type = "Uint8ClampedArray<ArrayBuffer>")]
 pub fn rasterize_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
     #[wasm_bindgen(unchecked_param_type = "DirectedRasterOptions")] options: JsValue,
@@ -245,7 +245,7 @@ struct PlainOptions {
 #[wasm_bindgen(js_name = directedConnectedness, unchecked_return_type = "StateConnectedness[]")]
 pub fn directed_connectedness(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ epsilon?: number; budget?: number }")] options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ epsilon?: number; budget?: number }")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let system = read_system(&system)?;
     let PlainOptions { epsilon, budget } = read("The options", options)?;
@@ -342,7 +342,7 @@ pub fn certify_directed(
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] to: JsValue,
     #[wasm_bindgen(
-        unchecked_param_type = "{ mode?: Mode; halfTurns?: HalfTurns; epsilon?: number; moments?: number }"
+        unchecked_optional_param_type = "{ mode?: Mode; halfTurns?: HalfTurns; epsilon?: number; moments?: number }"
     )]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {

@@ -110,7 +110,10 @@ const BEND_TYPES: &str = r#"import type { Bend, BendFacts, Ifs, RasterOptions } 
 /// What traces and fits, too.
 #[cfg(all(feature = "fit", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
-const FIT_TYPES: &str = r#"import type { Curve, CurveEdge, Graph, GraphPiece } from "./frond.js";"#;
+const FIT_IMPORTS: &str = r#"import type { Curve, Graph } from "./frond.js";"#;
+#[cfg(feature = "fit")]
+#[wasm_bindgen(typescript_custom_section)]
+const FIT_TYPES: &str = include_str!("fit/types.d.ts");
 
 /// And what is about space.
 #[cfg(all(feature = "space", not(feature = "compute")))]

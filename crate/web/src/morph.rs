@@ -98,13 +98,13 @@ impl LinkedMorph {
 
     /// The maps at a parameter, six numbers each.
     #[must_use]
-    pub fn maps(&self, u: f64, v: f64, w: f64) -> Vec<f64> {
-        self.morph.at3(u, v, w).into_iter().flat_map(Affine2::to_row).collect()
+    pub fn maps(&self, u: f64, v: f64, w: Option<f64>) -> Vec<f64> {
+        self.morph.at3(u, v, w.unwrap_or_default()).into_iter().flat_map(Affine2::to_row).collect()
     }
 
     /// The box around the attractor at a parameter: x0, y0, x1, y1. Throws where there is none.
-    pub fn bounds(&self, u: f64, v: f64, w: f64) -> Result<Vec<f64>, JsValue> {
-        let hull = Hull::of(&self.ifs(u, v, w)?);
+    pub fn bounds(&self, u: f64, v: f64, w: Option<f64>) -> Result<Vec<f64>, JsValue> {
+        let hull = Hull::of(&self.ifs(u, v, w.unwrap_or_default())?);
         let (min, max) = (hull.min(), hull.max());
         Ok(vec![min.x, min.y, max.x, max.y])
     }
@@ -117,15 +117,16 @@ impl LinkedMorph {
         &self,
         u: f64,
         v: f64,
-        w: f64,
+        w: Option<f64>,
         width: u32,
         height: u32,
         x: f64,
         y: f64,
         scale: f64,
-        palette: &[u32],
+        palette: Option<Vec<u32>>,
     ) -> Result<Vec<u8>, JsValue> {
-        let ifs = self.ifs(u, v, w)?;
+        let ifs = self.ifs(u, v, w.unwrap_or_default())?;
+        let palette = palette.unwrap_or_default();
         let palette: Vec<[u8; 3]> =
             palette.iter().map(|colour| [(colour >> 16) as u8, (colour >> 8) as u8, *colour as u8]).collect();
         let options = RasterOptions {

@@ -10,7 +10,7 @@ use crate::boundary::value::read_ifs;
 
 /// Draws an attractor, complete: RGBA with straight alpha, row 0 on top, on a transparent background. Ready for
 /// `new ImageData(pixels, width, height)`.
-#[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray")]
+#[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray<ArrayBuffer>")]
 pub fn rasterize(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
     #[wasm_bindgen(unchecked_param_type = "RasterOptions")] options: JsValue,

@@ -47,7 +47,7 @@ impl Sheet {
 
     /// Draws it as `bend` bends it, made for `parts` x `parts` maps (2 or 3): RGBA with straight alpha, row 0 on top,
     /// on a transparent background. A bend whose mesh alone has moved since the last call is quick.
-    #[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray")]
+    #[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray<ArrayBuffer>")]
     pub fn draw(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Bend | null")] bend: JsValue,

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use wasm_bindgen::{JsCast, JsValue};
 
 use super::error::{bad_input, failure};
-use super::value::{object, read};
+use super::value::{object, read, read_given};
 
 #[derive(Clone, Copy, Deserialize)]
 pub(crate) struct PlainBounds {
@@ -50,8 +50,7 @@ pub(crate) fn read_grid(options: &JsValue) -> Result<(LocusGrid, f64), JsValue> 
 
 /// A `Locus` object over `bounds`.
 pub(crate) fn read_locus(locus: &JsValue, bounds: JsValue) -> Result<Locus, JsValue> {
-    let bounds: Option<PlainBounds> =
-        if bounds.is_undefined() { None } else { Some(read("The bounds", bounds)?) };
+    let bounds: Option<PlainBounds> = read_given("The bounds", bounds)?;
     let side =
         |key: &str| Reflect::get(locus, &key.into()).ok().and_then(|x| x.as_f64()).unwrap_or(0.0) as usize;
     let array = |key: &str| Reflect::get(locus, &key.into()).unwrap_or(JsValue::UNDEFINED);

@@ -21,6 +21,11 @@ pub(crate) fn read<T: DeserializeOwned>(what: &str, value: JsValue) -> Result<T,
     })
 }
 
+/// Reads what may be left out and has no empty form, such as a box: `undefined` and `null` are none.
+pub(crate) fn read_given<T: DeserializeOwned>(what: &str, value: JsValue) -> Result<Option<T>, JsValue> {
+    if value.is_undefined() || value.is_null() { Ok(None) } else { read(what, value).map(Some) }
+}
+
 /// The object, or a copy without the fields that are `undefined`: `{ seed: options.seed }` is how options are handed
 /// on.
 fn defined(value: JsValue) -> JsValue {

@@ -29,7 +29,7 @@ struct SvgOptions {
 pub fn curve_svg(
     #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
     #[wasm_bindgen(
-        unchecked_param_type = "{ size?: number; tolerance?: number; fill?: string } | null | undefined"
+        unchecked_optional_param_type = "{ size?: number; tolerance?: number; fill?: string } | null"
     )]
     options: JsValue,
 ) -> Result<String, JsValue> {
@@ -61,7 +61,7 @@ struct CsvOptions {
 #[wasm_bindgen(js_name = curveCsv)]
 pub fn curve_csv(
     #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ points?: number } | null | undefined")] options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ points?: number } | null")] options: JsValue,
 ) -> Result<String, JsValue> {
     let curve = read_curve(&curve)?;
     let CsvOptions { points } = read("The options", options)?;

@@ -148,7 +148,7 @@ struct Sampling {
 pub fn sample_graph(
     #[wasm_bindgen(unchecked_param_type = "Graph")] graph: JsValue,
     #[wasm_bindgen(
-        unchecked_param_type = "{ tolerance?: number; window?: [t0: number, t1: number]; most?: number } | undefined"
+        unchecked_optional_param_type = "{ tolerance?: number; window?: [t0: number, t1: number]; most?: number }"
     )]
     options: JsValue,
 ) -> Result<Float64Array, JsValue> {

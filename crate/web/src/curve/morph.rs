@@ -119,7 +119,7 @@ impl CurveMorph {
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "Curve")] a: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Curve | null | undefined")] b: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "Curve | null")] b: JsValue,
     ) -> Result<CurveMorph, JsValue> {
         let a = read_curve(&a)?;
         let b = if b.is_null() || b.is_undefined() { None } else { Some(read_curve(&b)?) };

@@ -93,7 +93,7 @@ struct Sampling {
 pub fn sample_interpolation_curve(
     #[wasm_bindgen(unchecked_param_type = "PlaneGraph")] curve: JsValue,
     #[wasm_bindgen(
-        unchecked_param_type = "{ tolerance?: number; most?: number; window?: [x0: number, y0: number, x1: number, y1: number] } | undefined"
+        unchecked_optional_param_type = "{ tolerance?: number; most?: number; window?: [x0: number, y0: number, x1: number, y1: number] }"
     )]
     options: JsValue,
 ) -> Result<Float64Array, JsValue> {

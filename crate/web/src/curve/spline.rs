@@ -87,7 +87,7 @@ struct SvgOptions {
 #[wasm_bindgen(js_name = splineSvg)]
 pub fn spline_svg(
     #[wasm_bindgen(unchecked_param_type = "string | Uint8Array")] packed: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ size?: number; fill?: string } | null | undefined")]
+    #[wasm_bindgen(unchecked_optional_param_type = "{ size?: number; fill?: string } | null")]
     options: JsValue,
 ) -> Result<String, JsValue> {
     let spline = read_spline(&packed)?;

@@ -42,7 +42,7 @@ struct Moved {
 #[wasm_bindgen(js_name = digitShape, unchecked_return_type = "DirectedIfs")]
 pub fn digit_shape(
     #[wasm_bindgen(unchecked_param_type = "DigitSystem")] system: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ shift?: [number, number] } | undefined")] options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ shift?: [number, number] }")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let system = read_digits(system)?;
     let Moved { shift } = read("The options", options)?;

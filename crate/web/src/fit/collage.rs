@@ -25,8 +25,11 @@ struct PlainCollage {
 /// `points` are those of all pieces, one piece after the other, `starts` where each begins. `gaps`: x0, y0, x1, y1 of
 /// the step from each piece to the next; `widest` and `mean` in percent of the diagonal. A row of `maps`: where its
 /// domain begins (in feature points), whether it is reversed (0 or 1), the matrix of c's by rows, b, e.
-#[wasm_bindgen(js_name = collageFit)]
-pub fn collage_fit(points: &[f64], options: JsValue) -> Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = collageFit, unchecked_return_type = "Collage")]
+pub fn collage_fit(
+    points: &[f64],
+    #[wasm_bindgen(unchecked_param_type = "CollageOptions")] options: JsValue,
+) -> Result<JsValue, JsValue> {
     let outline = outline_of(points)?;
     let plain: PlainCollage = read("The options", options)?;
     let domains = if plain.partitioned { Domains::Partitioned } else { Domains::Recurrent };

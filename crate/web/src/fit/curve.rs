@@ -61,8 +61,9 @@ fn read_curve(value: JsValue) -> Result<ClosedCurve, JsValue> {
 
 /// An outline grown by program: a leaf as of a `"sugar-maple"` or a `"white-oak"`, a rougher star of five lobes,
 /// `"maple"`, one of pointed lobes, `"oak"`, an `"island"`, or a maple leaf that was badly measured, `"noisy"`.
-#[wasm_bindgen(js_name = grownOutline)]
-pub fn grown_outline(kind: &str, seed: u32) -> Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = grownOutline, unchecked_return_type = "Float64Array<ArrayBuffer>")]
+pub fn grown_outline(kind: &str, seed: Option<u32>) -> Result<JsValue, JsValue> {
+    let seed = seed.unwrap_or_default();
     match kind {
         "sugar-maple" => Ok(flat(&sugar_maple(seed))),
         "white-oak" => Ok(flat(&white_oak(seed))),
@@ -79,7 +80,7 @@ pub fn grown_outline(kind: &str, seed: u32) -> Result<JsValue, JsValue> {
 
 /// What is fitted of points: `{ points, diagonal, length, crossings }`, counter-clockwise, smoothed by 0 to 1 and of
 /// 16384 points at most. `crossings` counts where it crosses itself, up to 99; null where it is too tangled to tell.
-#[wasm_bindgen(js_name = prepareOutline)]
+#[wasm_bindgen(js_name = prepareOutline, unchecked_return_type = "PreparedOutline")]
 pub fn prepare_outline(points: &[f64], smoothing: f64) -> Result<JsValue, JsValue> {
     let outline =
         Outline::prepared(&outline::points(points)?, smoothing).map_err(|error| of_outline(&error))?;
@@ -93,7 +94,7 @@ pub fn prepare_outline(points: &[f64], smoothing: f64) -> Result<JsValue, JsValu
 }
 
 /// `count` feature points of an outline, in order: polyline splitting.
-#[wasm_bindgen(js_name = featurePoints)]
+#[wasm_bindgen(js_name = featurePoints, unchecked_return_type = "Float64Array<ArrayBuffer>")]
 pub fn feature_points(points: &[f64], count: u32) -> Result<JsValue, JsValue> {
     let outline = outline_of(points)?;
     let marks: Vec<_> = features(&outline, count as usize).into_iter().map(|i| outline.points()[i]).collect();
@@ -102,8 +103,11 @@ pub fn feature_points(points: &[f64], count: u32) -> Result<JsValue, JsValue> {
 
 /// How near a curve is to an outline, as a link brings it back: `{ curve, points, figures, bytes }`; errors in percent
 /// of the diagonal.
-#[wasm_bindgen(js_name = measureCurve)]
-pub fn measure_curve(points: &[f64], curve: JsValue) -> Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = measureCurve, unchecked_return_type = "MeasuredCurve")]
+pub fn measure_curve(
+    points: &[f64],
+    #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
+) -> Result<JsValue, JsValue> {
     measured(&outline_of(points)?, &read_curve(curve)?)
 }
 
@@ -144,7 +148,9 @@ impl CurveFit {
     }
 
     /// Goes on for some milliseconds, one step at least: `{ stage, share, rms, done }`.
-    #[wasm_bindgen(unchecked_return_type = "{ stage: string; share: number; rms: number; done: boolean }")]
+    #[wasm_bindgen(
+        unchecked_return_type = "{ stage: \"straight\" | \"copies\" | \"trade\" | \"polish\"; share: number; rms: number; done: boolean }"
+    )]
     pub fn step(&mut self, milliseconds: f64) -> JsValue {
         let end = Date::now() + milliseconds;
         let mut progress = self.fitter.step();
@@ -160,6 +166,7 @@ impl CurveFit {
     }
 
     /// The best so far: `{ curve, points }`, the points those of a polyline.
+    #[wasm_bindgen(unchecked_return_type = "{ curve: Curve; points: Float64Array<ArrayBuffer> }")]
     pub fn best(&self) -> Result<JsValue, JsValue> {
         let curve = &self.fitter.best().curve;
         let line = drawn(curve, self.outline.diagonal());
@@ -167,6 +174,7 @@ impl CurveFit {
     }
 
     /// The best so far with its figures, as [`measure_curve`] has them.
+    #[wasm_bindgen(unchecked_return_type = "MeasuredCurve")]
     pub fn measured(&self) -> Result<JsValue, JsValue> {
         measured(&self.outline, &self.fitter.best().curve)
     }
@@ -177,7 +185,7 @@ impl CurveFit {
 /// `"split"`: a polyline through feature points; `"squares"`: one whose corners were moved by least squares;
 /// `"fourier"`: the lowest frequencies; `"bezier"`: cubic segments, 6 numbers each; `"collage"`: the fit of Cochran,
 /// Hart & Flynn, with 9 intervals a map as in their Fig 7.
-#[wasm_bindgen(js_name = rivalFit)]
+#[wasm_bindgen(js_name = rivalFit, unchecked_return_type = "RivalFit")]
 pub fn rival_fit(points: &[f64], method: &str, numbers: u32) -> Result<JsValue, JsValue> {
     let outline = outline_of(points)?;
     let numbers = (numbers as usize).clamp(12, 2000);

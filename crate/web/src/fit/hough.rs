@@ -90,7 +90,7 @@ impl HoughFirst {
     pub fn new(
         coarse: &[f64],
         fine: &[f64],
-        options: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "HoughOptions | null | undefined")] options: JsValue,
         part: f64,
         parts: f64,
     ) -> Result<Self, JsValue> {
@@ -100,6 +100,7 @@ impl HoughFirst {
     }
 
     /// Goes some milliseconds on.
+    #[wasm_bindgen(unchecked_return_type = "HoughProgress")]
     pub fn step(&mut self) -> JsValue {
         write_progress(self.pass.step())
     }
@@ -137,6 +138,7 @@ impl HoughFirst {
     }
 
     /// The cells that the second pass is to look at, split so that each of `parts` takes about as long.
+    #[wasm_bindgen(unchecked_return_type = "Uint32Array<ArrayBuffer>[]")]
     pub fn promising(&self, parts: f64) -> Array {
         let cells = self.pass.promising();
         let parts = (parts as usize).clamp(1, 64);
@@ -155,13 +157,19 @@ pub struct HoughSecond {
 impl HoughSecond {
     /// All pairs, for these cells.
     #[wasm_bindgen(constructor)]
-    pub fn new(coarse: &[f64], fine: &[f64], options: JsValue, cells: &[u32]) -> Result<Self, JsValue> {
+    pub fn new(
+        coarse: &[f64],
+        fine: &[f64],
+        #[wasm_bindgen(unchecked_param_type = "HoughOptions | null | undefined")] options: JsValue,
+        cells: &[u32],
+    ) -> Result<Self, JsValue> {
         let pass =
             SecondPass::new(&features(coarse)?, &features(fine)?, read_options(options)?, cells, (0, 1));
         Ok(Self { pass })
     }
 
     /// Goes some milliseconds on.
+    #[wasm_bindgen(unchecked_return_type = "HoughProgress")]
     pub fn step(&mut self) -> JsValue {
         write_progress(self.pass.step())
     }
@@ -213,11 +221,11 @@ struct PlainClusters {
 
 /// The clusters among the peaks of all parts, the most hits first: named, refined, and laid out along the principal
 /// components of their space.
-#[wasm_bindgen(js_name = houghClusters)]
+#[wasm_bindgen(js_name = houghClusters, unchecked_return_type = "HoughClusters")]
 pub fn hough_clusters(
     coarse: &[f64],
     fine: &[f64],
-    options: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "HoughOptions | null | undefined")] options: JsValue,
     peaks: &[f64],
 ) -> Result<JsValue, JsValue> {
     let (coarse, fine, options) = (features(coarse)?, features(fine)?, read_options(options)?);
@@ -243,7 +251,7 @@ pub fn hough_clusters(
 }
 
 /// The part of the graph on which a map holds, and b, c and e of least squares there; null where it holds nowhere.
-#[wasm_bindgen(js_name = houghRefine)]
+#[wasm_bindgen(js_name = houghRefine, unchecked_return_type = "HoughCandidate | null")]
 pub fn hough_refine(coarse: &[f64], fine: &[f64], map: &[f64]) -> Result<JsValue, JsValue> {
     let map: [f64; 5] = map.try_into().map_err(|_| bad_input("The map", "it has five numbers"))?;
     match refine_map(&features(coarse)?, &features(fine)?, map) {
@@ -299,11 +307,11 @@ impl From<Assembly> for PlainAssembly {
 
 /// A whole function of the candidates that do it best. With a `tolerance`, in heights of the graph: the one of fewest
 /// numbers that is nowhere farther off, never more than a polyline takes; both are told.
-#[wasm_bindgen(js_name = houghAssemble)]
+#[wasm_bindgen(js_name = houghAssemble, unchecked_return_type = "HoughAssembly")]
 pub fn hough_assemble(
     coarse: &[f64],
     fine: &[f64],
-    candidates: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "HoughCandidate[]")] candidates: JsValue,
     tolerance: Option<f64>,
 ) -> Result<JsValue, JsValue> {
     let candidates: Vec<Candidate> = read("The list of candidates", candidates)?;
@@ -324,8 +332,14 @@ struct PlainPick {
 }
 
 /// A whole function of maps that were picked with their domains. `tied`: ends of pieces meet at feature points.
-#[wasm_bindgen(js_name = houghPicked)]
-pub fn hough_picked(coarse: &[f64], fine: &[f64], picks: JsValue, tied: bool) -> Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = houghPicked, unchecked_return_type = "HoughAssembly")]
+pub fn hough_picked(
+    coarse: &[f64],
+    fine: &[f64],
+    #[wasm_bindgen(unchecked_param_type = "{ map: GraphMap; domain: [from: number, to: number] }[]")]
+    picks: JsValue,
+    tied: bool,
+) -> Result<JsValue, JsValue> {
     let plain: Vec<PlainPick> = read("The list of maps", picks)?;
     let picks: Vec<_> = plain.into_iter().map(|PlainPick { map, domain }| Pick { map, domain }).collect();
     let whole = assemble_picked(&features(coarse)?, &features(fine)?, &picks, tied).map_err(of_function)?;

@@ -30,13 +30,13 @@ impl Default for TraceOptions {
 ///
 /// `pixels`: red, green, blue and alpha, row after row from the top, 4194304 at most. `threshold` (-1 to 1) moves the
 /// border between ground and leaf, `stalk: false` takes a stalk off, `component` is the piece, 0 the largest.
-#[wasm_bindgen(js_name = traceOutline)]
+#[wasm_bindgen(js_name = traceOutline, unchecked_return_type = "TracedOutline")]
 pub fn trace_outline(
     pixels: &[u8],
     width: usize,
     height: usize,
     #[wasm_bindgen(
-        unchecked_param_type = "{ threshold?: number; stalk?: boolean; component?: number } | undefined"
+        unchecked_optional_param_type = "{ threshold?: number; stalk?: boolean; component?: number }"
     )]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
@@ -78,15 +78,9 @@ impl Default for FitOptions {
 
 /// A fit of an outline x0, y0, x1, y1, ..; it takes seconds. `model: "closed"` (the default) spends `numbers`, 12 to
 /// 2000, on a closed curve: `{ curve, points, figures, bytes }`. `"collage"` is the fit of Cochran, Hart & Flynn with
-/// so many `maps`.
-#[wasm_bindgen(js_name = fitCurve)]
-pub fn fit_curve(
-    outline: &[f64],
-    #[wasm_bindgen(
-        unchecked_param_type = "{ model?: \"closed\" | \"collage\"; numbers?: number; maps?: number; features?: number; separable?: boolean; tied?: boolean; partitioned?: boolean } | undefined"
-    )]
-    options: JsValue,
-) -> Result<JsValue, JsValue> {
+/// so many `maps`. Its types, which depend on the model, are in `types.d.ts`.
+#[wasm_bindgen(js_name = fitCurve, skip_typescript)]
+pub fn fit_curve(outline: &[f64], options: JsValue) -> Result<JsValue, JsValue> {
     let FitOptions { model, numbers, maps, features, separable, tied, partitioned } =
         read("The options", options)?;
     match model.as_str() {
@@ -115,14 +109,11 @@ fn is_done(progress: &JsValue) -> bool {
 
 /// The maps that a graph is made of, by both passes of the Hough transform: `{ found, space }`, the most hits first.
 /// Feature points t0, x0, t1, x1, ..: domains are taken from `coarse`, ranges from `fine`.
-#[wasm_bindgen(js_name = houghMaps)]
+#[wasm_bindgen(js_name = houghMaps, unchecked_return_type = "HoughClusters")]
 pub fn hough_maps(
     coarse: &[f64],
     fine: &[f64],
-    #[wasm_bindgen(
-        unchecked_param_type = "{ reflected?: boolean; leastA?: number; leastC?: number; cells?: number; mostB?: number } | undefined"
-    )]
-    options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "HoughOptions")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     // It is read twice: an empty object stands for none.
     let options = if options.is_object() { options } else { Object::new().into() };

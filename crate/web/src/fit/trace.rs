@@ -84,7 +84,11 @@ impl PictureTracer {
 
     /// Draws the mask for `{ threshold, petiole, strokes, hints?, invert? }`: strokes change what they cover, hints
     /// what looks like it around as well.
-    pub fn mask(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
+    #[wasm_bindgen(unchecked_return_type = "TracedMask")]
+    pub fn mask(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "MaskOptions")] options: JsValue,
+    ) -> Result<JsValue, JsValue> {
         let options: PlainOptions = read("The options of a mask", options)?;
         // One at a time: they are large.
         self.mask = None;
@@ -112,6 +116,7 @@ impl PictureTracer {
     }
 
     /// The line round a piece of the last mask: `{ points, area, length, warnings }`.
+    #[wasm_bindgen(unchecked_return_type = "TracedOutline")]
     pub fn outline(&self, component: usize) -> Result<JsValue, JsValue> {
         let Some(mask) = &self.mask else {
             return Err(failure("no-mask", "There is no mask yet. Ask for one before its outline."));

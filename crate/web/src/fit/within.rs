@@ -72,7 +72,9 @@ impl SplineFit {
 
     /// The best so far: `{ word, points, rms }`, the points those of a polyline, its error in percent of the diagonal;
     /// undefined where there is none yet.
-    #[wasm_bindgen(unchecked_return_type = "{ word: string; points: Float64Array; rms: number } | undefined")]
+    #[wasm_bindgen(
+        unchecked_return_type = "{ word: string; points: Float64Array<ArrayBuffer>; rms: number } | undefined"
+    )]
     pub fn best(&self) -> Result<JsValue, JsValue> {
         let Some(Found { spline, near, .. }) = self.fitter.best() else { return Ok(JsValue::UNDEFINED) };
         Ok(object(&[
@@ -86,7 +88,7 @@ impl SplineFit {
     ///
     /// Where nothing was found, the outline is too thin for a grid of so few bytes.
     #[wasm_bindgen(
-        unchecked_return_type = "{ word: string; bytes: Uint8Array; corners: number; bends: number; points: Float64Array; figures: { rms: number; hausdorff: number; lengthRatio: number; outlineSlope: number; fitSlope: number } }"
+        unchecked_return_type = "{ word: string; bytes: Uint8Array<ArrayBuffer>; corners: number; bends: number; points: Float64Array<ArrayBuffer>; figures: FitFigures }"
     )]
     pub fn measured(&self) -> Result<JsValue, JsValue> {
         let Some(Found { spline, .. }) = self.fitter.best() else {
@@ -104,7 +106,7 @@ impl SplineFit {
 /// in letters. `points` are those of a polyline, errors in percent of the diagonal. It takes seconds.
 #[wasm_bindgen(
     js_name = fitWithin,
-    unchecked_return_type = "{ word: string; bytes: Uint8Array; corners: number; bends: number; points: Float64Array; figures: { rms: number; hausdorff: number; lengthRatio: number; outlineSlope: number; fitSlope: number } }"
+    unchecked_return_type = "{ word: string; bytes: Uint8Array<ArrayBuffer>; corners: number; bends: number; points: Float64Array<ArrayBuffer>; figures: FitFigures }"
 )]
 pub fn fit_within(outline: &[f64], bytes: u32) -> Result<JsValue, JsValue> {
     let mut fit = SplineFit::new(outline, bytes)?;
@@ -117,7 +119,7 @@ pub fn fit_within(outline: &[f64], bytes: u32) -> Result<JsValue, JsValue> {
 /// How near a curve of corners and parabolas, given as a word, is to an outline: as [`fit_within`] has it.
 #[wasm_bindgen(
     js_name = measureSpline,
-    unchecked_return_type = "{ word: string; bytes: Uint8Array; corners: number; bends: number; points: Float64Array; figures: { rms: number; hausdorff: number; lengthRatio: number; outlineSlope: number; fitSlope: number } }"
+    unchecked_return_type = "{ word: string; bytes: Uint8Array<ArrayBuffer>; corners: number; bends: number; points: Float64Array<ArrayBuffer>; figures: FitFigures }"
 )]
 pub fn measure_spline(points: &[f64], word: &str) -> Result<JsValue, JsValue> {
     told(&outline_of(points)?, &Spline::from_text(word).map_err(of_spline)?)
@@ -131,7 +133,7 @@ pub fn measure_spline(points: &[f64], word: &str) -> Result<JsValue, JsValue> {
 /// of fitting laws comes to, and the width of their grid is not counted. Each is on the grid by which it is nearest.
 #[wasm_bindgen(
     js_name = rivalWithin,
-    unchecked_return_type = "{ points: Float64Array; rms: number } | undefined"
+    unchecked_return_type = "{ points: Float64Array<ArrayBuffer>; rms: number } | undefined"
 )]
 pub fn rival_within(points: &[f64], method: &str, bytes: u32) -> Result<JsValue, JsValue> {
     let bytes = within(bytes)?;

@@ -19,8 +19,7 @@ fn read_asked(ifs: &JsValue, options: JsValue) -> Result<(Ifs, Options), JsValue
 #[wasm_bindgen(unchecked_return_type = "Certificate | null")]
 pub fn certificate(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ epsilon?: number; budget?: number } | undefined")]
-    options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ epsilon?: number; budget?: number }")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let (ifs, options) = read_asked(&ifs, options)?;
     let Some(found) = frond_locus::certificate(&ifs, &options) else { return Ok(JsValue::NULL) };
@@ -39,8 +38,7 @@ pub fn certificate(
 #[wasm_bindgen(js_name = connectedCertificate, unchecked_return_type = "ConnectedCertificate | null")]
 pub fn connected_certificate(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ epsilon?: number; budget?: number } | undefined")]
-    options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ epsilon?: number; budget?: number }")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let (ifs, options) = read_asked(&ifs, options)?;
     let Some(found) = frond_locus::connected_certificate(&ifs, &options) else { return Ok(JsValue::NULL) };

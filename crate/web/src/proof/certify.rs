@@ -26,7 +26,7 @@ pub fn certify_path(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
     #[wasm_bindgen(unchecked_param_type = "readonly PathPoint[]")] points: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "CertifyOptions | undefined")] options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "CertifyOptions")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
     let plain: Certifying = read("The options", options)?;

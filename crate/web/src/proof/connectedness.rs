@@ -17,8 +17,7 @@ use crate::proof::evidence::write_reason;
 #[wasm_bindgen(unchecked_return_type = "Connectedness")]
 pub fn connectedness(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ epsilon?: number; budget?: number } | undefined")]
-    options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ epsilon?: number; budget?: number }")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let options = read_options(options)?;
     match Ifs::new(read_maps(&ifs)?) {

@@ -21,7 +21,7 @@ struct Planning {
 pub fn plan_path(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "PathOptions | undefined")] options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "PathOptions")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
     plan(frond_locus::find_path(&morph, &read_options(options)?))
@@ -48,7 +48,7 @@ impl PathSearch {
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
         #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "PathOptions | undefined")] options: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "PathOptions")] options: JsValue,
     ) -> Result<Self, JsValue> {
         let morph = read_morph(&from, &to, &options)?;
         Ok(Self(frond_locus::PathSearch::new(morph, read_options(options)?)))
@@ -69,7 +69,7 @@ impl PathSearch {
 #[wasm_bindgen(js_name = planPathIn, unchecked_return_type = "PathPlan")]
 pub fn plan_path_in(
     #[wasm_bindgen(unchecked_param_type = "Locus")] locus: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Bounds | undefined")] bounds: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "Bounds")] bounds: JsValue,
 ) -> Result<JsValue, JsValue> {
     plan(frond_locus::plan_path(&read_locus(&locus, bounds)?, EPSILON))
 }
@@ -85,9 +85,7 @@ pub fn check(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
     #[wasm_bindgen(unchecked_param_type = "readonly PathPoint[]")] points: JsValue,
-    #[wasm_bindgen(
-        unchecked_param_type = "(MorphOptions & { epsilon?: number; samples?: number }) | undefined"
-    )]
+    #[wasm_bindgen(unchecked_optional_param_type = "MorphOptions & { epsilon?: number; samples?: number }")]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;

@@ -26,7 +26,7 @@ struct Listing {
 pub fn candidates(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ limit?: number } | undefined")] options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ limit?: number }")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let (from, to) = (read_ifs(&from)?, read_ifs(&to)?);
     let plain: Listing = read("The options", options)?;
@@ -63,9 +63,7 @@ struct Rating {
 pub fn rate_candidate(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
-    #[wasm_bindgen(
-        unchecked_param_type = "(MorphOptions & { size?: number; epsilon?: number }) | undefined"
-    )]
+    #[wasm_bindgen(unchecked_optional_param_type = "MorphOptions & { size?: number; epsilon?: number }")]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph: Morph = read_morph(&from, &to, &options)?;
@@ -120,7 +118,7 @@ const USUAL_WAYS: f64 = 200.0;
 pub fn ways(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ limit?: number } | undefined")] options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ limit?: number }")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let plain: Listing = read("The options", options)?;
     let limit = plain.limit.unwrap_or(USUAL_WAYS).clamp(1.0, MOST_WAYS) as usize;

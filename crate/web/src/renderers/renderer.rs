@@ -45,7 +45,7 @@ impl Renderer {
     pub async fn create(
         #[wasm_bindgen(unchecked_param_type = "HTMLCanvasElement | OffscreenCanvas")] canvas: JsValue,
         #[wasm_bindgen(
-            unchecked_param_type = "{ backend?: \"auto\" | \"webgpu\" | \"webgl2\"; onLost?: (reason: string) => void }"
+            unchecked_optional_param_type = "{ backend?: \"auto\" | \"webgpu\" | \"webgl2\"; onLost?: (reason: string) => void }"
         )]
         options: JsValue,
     ) -> Result<Renderer, JsValue> {
@@ -93,7 +93,7 @@ impl Renderer {
     #[wasm_bindgen(js_name = setBend)]
     pub fn set_bend(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Bend | null | undefined")] bend: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "Bend | null")] bend: JsValue,
     ) -> Result<(), JsValue> {
         if bend.is_undefined() || bend.is_null() {
             self.bend = None;

@@ -28,7 +28,7 @@ impl SpaceRenderer {
     pub async fn create(
         #[wasm_bindgen(unchecked_param_type = "HTMLCanvasElement | OffscreenCanvas")] canvas: JsValue,
         #[wasm_bindgen(
-            unchecked_param_type = "{ backend?: \"auto\" | \"webgpu\" | \"webgl2\"; onLost?: (reason: string) => void }"
+            unchecked_optional_param_type = "{ backend?: \"auto\" | \"webgpu\" | \"webgl2\"; onLost?: (reason: string) => void }"
         )]
         options: JsValue,
     ) -> Result<SpaceRenderer, JsValue> {

@@ -55,7 +55,7 @@ struct Options {
 pub fn intersection3(
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] first: JsValue,
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] second: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ points?: number } | undefined")] options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ points?: number }")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let Options { points } = read("The options", options)?;
     let found = frond_core::intersection(&read_maps3(&first)?, &read_maps3(&second)?)

@@ -53,8 +53,7 @@ pub fn half_turns3(
 #[wasm_bindgen(unchecked_return_type = "Connectedness3")]
 pub fn connectedness3(
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] maps: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "{ epsilon?: number; budget?: number } | undefined")]
-    options: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ epsilon?: number; budget?: number }")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let options = read_options(options)?;
     let ifs = match Ifs3::new(read_maps3(&maps)?) {
@@ -127,9 +126,7 @@ impl SpaceLocus {
 pub fn find_path(
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] to: JsValue,
-    #[wasm_bindgen(
-        unchecked_param_type = "(MorphOptions & { epsilon?: number; size?: number }) | undefined"
-    )]
+    #[wasm_bindgen(unchecked_optional_param_type = "MorphOptions & { epsilon?: number; size?: number }")]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph3(&from, &to, &options)?;
@@ -145,9 +142,7 @@ pub fn check_path(
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] to: JsValue,
     #[wasm_bindgen(unchecked_param_type = "readonly PathPoint[]")] points: JsValue,
-    #[wasm_bindgen(
-        unchecked_param_type = "(MorphOptions & { epsilon?: number; samples?: number }) | undefined"
-    )]
+    #[wasm_bindgen(unchecked_optional_param_type = "MorphOptions & { epsilon?: number; samples?: number }")]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph3(&from, &to, &options)?;

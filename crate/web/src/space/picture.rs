@@ -274,6 +274,7 @@ impl SpaceCarve {
 
     /// The picture: RGBA, straight alpha, row 0 on top. `look` says what was carved: width x factor across, height x
     /// factor down.
+    #[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray<ArrayBuffer>")]
     pub fn paint(
         &self,
         #[wasm_bindgen(unchecked_param_type = "SpaceLight")] plain: JsValue,

@@ -202,14 +202,15 @@ export const traceTasks = {
     const hints = all.filter(({ exact }) => !exact);
     const masked = tracer(keep, id).mask({ ...options, strokes, hints });
     transfer(masked.mask.buffer);
-    return masked;
+    // Its warnings have a code that the page knows.
+    return masked as Masked;
   },
 
   /** The line round a piece of the last mask. */
   outline({ keep, transfer }: Plain, { id, component }: OutlineArgs): TracedOutline {
     const traced = tracer(keep, id).outline(component);
     transfer(traced.points.buffer);
-    return traced;
+    return traced as TracedOutline;
   },
 
   /** Lets go of a picture. */
