@@ -1,17 +1,8 @@
-import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
-import { join } from "node:path";
-import { fileURLToPath } from "node:url";
 import { beforeAll, describe, expect, it } from "vitest";
 import init, * as frond from "../../www/pkg/index.js";
 
 const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.meta.url));
-
-const pkg = fileURLToPath(new URL("../../www/pkg", import.meta.url));
-const manifest: { exports: Record<string, string | Record<string, string>> } = JSON.parse(
-  readFileSync(join(pkg, "package.json"), "utf8"),
-);
 
 /** What README.md promises of the package's first entry. */
 const PROMISED = `presets validate attractor rasterize bounds connectedness certificate connectedCertificate checkCertificate indexBuffer
@@ -74,30 +65,5 @@ describe("the package", () => {
     expect(() => frond.connectedness({ maps: [] }, undefined)).toThrowError(
       expect.objectContaining({ code: "no-maps" }),
     );
-  });
-
-  it("finds its modules by itself in Node, at every entry that draws on no graphics card", () => {
-    const entries = Object.keys(manifest.exports).filter(
-      (entry) => !/\.(wasm|json)$|renderer|view|pool|jsx/.test(entry),
-    );
-    expect(entries).toContain("./exchange");
-    const program = `
-      for (const entry of ${JSON.stringify(entries)}) {
-        const { default: init, ...rest } = await import(entry.replace(".", "frond-ifs"));
-        await init();
-        rest.start?.();
-        console.log(entry, "initSync" in rest);
-      }`;
-    // A program beside the package's manifest may import it by its name.
-    const said = execFileSync(process.execPath, ["--input-type=module", "--eval", program], { cwd: pkg });
-    expect(said.toString()).toBe(entries.map((entry) => `${entry} true\n`).join(""));
-  });
-
-  it("has every file that its entries name", () => {
-    const named = Object.values(manifest.exports).flatMap((entry) =>
-      typeof entry === "string" ? [entry] : Object.values(entry),
-    );
-    // The element is built with the rest of the package's scripts.
-    expect(named.filter((file) => !existsSync(join(pkg, file)))).toEqual(["./frond-view.module.js"]);
   });
 });

@@ -40,6 +40,14 @@ export async function packed() {
   const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
   const text = readFileSync(join(root, "crate/xtask/src/package/package.json"), "utf8");
   writeFileSync(join(folder, "package.json"), text.replace("0.0.0", version));
+  const entry = readFileSync(join(root, "crate/xtask/src/package/node-module.js"), "utf8");
+  const others = readFileSync(join(root, "crate/xtask/src/package.rs"), "utf8");
+  for (const [, name = "", module = ""] of others.matchAll(/^ {4}\("(\w+)", "(frond[\w-]*)"\),$/gm))
+    writeFileSync(join(folder, `node/${name}.js`), entry.replaceAll("MODULE", module));
+  // The page's own modules are none of the package's.
+  for (const name of ["frond-first", "frond-bend"])
+    for (const end of [".js", ".d.ts", "_bg.wasm", "_bg.wasm.d.ts"])
+      rmSync(join(folder, name + end), { force: true });
   for (const config of ["package", "view"])
     await build({
       configFile: join(root, `www/build/${config}.config.ts`),
@@ -60,6 +68,8 @@ export async function packed() {
   execFileSync("npm", install, { cwd: app, stdio: ["ignore", "ignore", "ignore"] });
   return {
     scratch,
+    /** The folder of the package before it was packed. */
+    folder,
     /** Where it is installed. */
     app,
     tarball,

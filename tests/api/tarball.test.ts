@@ -66,14 +66,19 @@ describe("the packed package", () => {
     const entries = Object.keys(manifest.exports).filter((entry) => !/\.(wasm|json)$|worker/.test(entry));
     const said = node(`
       for (const entry of ${JSON.stringify(entries)}) {
-        const { default: init } = await import(entry.replace(".", "frond-ifs"));
+        const { default: init, ...rest } = await import(entry.replace(".", "frond-ifs"));
         await init?.();
-        console.log(entry);
+        if (init) rest.start();
+        console.log(entry, Boolean(init) === "initSync" in rest);
       }
       const { createRenderer, createLocusCompute } = await import("frond-ifs/renderer");
       console.log(await createLocusCompute());
       await createRenderer({}).catch(({ code }) => console.log(code));`);
-    expect(said.trim().split("\n")).toEqual([...entries, "undefined", "no-canvas"]);
+    expect(said.trim().split("\n")).toEqual([
+      ...entries.map((entry) => `${entry} true`),
+      "undefined",
+      "no-canvas",
+    ]);
   });
 
   it("is found by those who still say require", () => {

@@ -40,7 +40,8 @@ pub fn write_manifest(folder: &Path) -> Outcome {
     Ok(())
 }
 
-/// Writes the package into target/package/frond, from `www/pkg`.
+/// Writes the package into target/package/frond: the modules from `www/pkg`, and what www/build/package.config.ts made
+/// of their bindings.
 pub fn write() -> Outcome {
     let package = target().join("package/frond");
     if package.exists() {
@@ -53,8 +54,12 @@ pub fn write() -> Outcome {
     for file in ["frond-view.js", "licenses.txt"] {
         fs::copy(root().join("dist").join(file), package.join(file))?;
     }
-    for part in stamp::files(&target().join("package/parts"))? {
-        fs::copy(&part, package.join(part.file_name().ok_or("a part of the package has no name")?))?;
+    // Where its configuration has them written.
+    let parts = root().join("target/package/parts");
+    for part in stamp::files(&parts)? {
+        let to = package.join(part.strip_prefix(&parts)?);
+        fs::create_dir_all(to.parent().ok_or("a part of the package has no folder")?)?;
+        fs::copy(&part, to)?;
     }
     for file in ["LICENSE-MIT", "LICENSE-APACHE"] {
         let path = root().join(file);

@@ -26,7 +26,7 @@ export type Lanes = ReturnType<typeof lanesOf>;
 /** `spawn` makes a worker whose inside is that of `performerFrom`. */
 export function lanesOf(spawn: () => WorkerLike<null>, size: number) {
   if (!(Number.isInteger(size) && size > 0))
-    throw failure({ code: "bad-input", message: "The size of a pool is a whole number from 1 on." });
+    throw made("bad-input", "The size of a pool is a whole number from 1 on.");
   const hands: Hand[] = Array.from({ length: size }, () => ({
     lane: new Lane(spawn, async () => null),
     load: 0,
@@ -149,9 +149,21 @@ export function poolOn({ size, ask, key: another, close }: Lanes) {
   };
 }
 
-/** Thrown by the package, wherever it was found. */
+/** A `FrondError`, wherever it was found: what comes from a worker is no more than its code and its words. */
 function failure(problem: unknown): unknown {
-  if (problem instanceof Error || typeof problem !== "object" || problem === null) return problem;
-  const { code, message } = problem as { code: string; message: string };
-  return Object.assign(new Error(message), { code });
+  const { name, code, message } = (problem ?? {}) as { name?: string; code?: unknown; message?: string };
+  if (name === "FrondError") return problem;
+  // Workers are sent values, not functions.
+  if (name === "DataCloneError")
+    return made(
+      "bad-input",
+      `This cannot be sent to a worker: ${message}. Give numbers, texts, lists and objects of these.`,
+    );
+  return made(typeof code === "string" ? code : "failed", message ?? String(problem));
+}
+
+/** What tells a `FrondError` is its form: the package's class of that name knows it by that. */
+function made(code: string, message: string): Error {
+  const error = Object.assign(new Error(message), { code });
+  return Object.defineProperty(error, "name", { value: "FrondError", configurable: true, writable: true });
 }

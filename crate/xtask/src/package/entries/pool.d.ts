@@ -1,3 +1,5 @@
+import type { SpaceCarve } from "./frond-space.js";
+
 type Draw = typeof import("./frond.js");
 type Proof = typeof import("./frond-proof.js");
 type Fit = typeof import("./frond-fit.js");
@@ -25,6 +27,8 @@ type Functions = Pick<Draw, "attractor" | "rasterize"> &
   Pick<Fit, "fitCurve" | "fitWithin" | "houghMaps" | "rivalFit" | "rivalWithin" | "traceOutline"> &
   Pick<Space, "attractor3" | "boxes3" | "checkPath3" | "connectedness3" | "facts3" | "findPath3">;
 
+export { FrondError } from "./guard.js";
+
 export interface How {
   /** Calls it off: the promise is rejected with the reason of the signal, at once. */
   signal?: AbortSignal;
@@ -36,8 +40,8 @@ export interface How {
 export interface Picture3 {
   objects: ConstructorParameters<Space["SpacePicture"]>[0];
   view: Parameters<InstanceType<Space["SpacePicture"]>["carve"]>[0];
-  light: Parameters<InstanceType<Space["SpaceCarve"]>["paint"]>[0];
-  look: Parameters<InstanceType<Space["SpaceCarve"]>["paint"]>[1];
+  light: Parameters<SpaceCarve["paint"]>[0];
+  look: Parameters<SpaceCarve["paint"]>[1];
 }
 
 /** The functions of the other entries as promises: the same arguments, and after all of them how. */
@@ -47,7 +51,7 @@ export type Pool = {
   ) => Promise<ReturnType<Functions[Name]>>;
 } & {
   /** A complete picture of space: RGBA, straight alpha, row 0 on top. */
-  rasterize3(picture: Picture3, how?: How): Promise<Uint8ClampedArray>;
+  rasterize3(picture: Picture3, how?: How): Promise<Uint8ClampedArray<ArrayBuffer>>;
   /** How many workers it has at most; they are started when first needed. */
   readonly size: number;
   /** Ends the workers. What is under way is rejected with `{ code: "stopped" }`. */

@@ -1,6 +1,8 @@
 // Functions of the package that take their time, in workers of its own.
 import { poolOf } from "./pool-lanes.js";
 
+export { FrondError } from "./guard.js";
+
 // Named here, so that bundlers, which take the worker along where it is started, do not take it twice.
 const here = import.meta.url;
 
