@@ -65,6 +65,13 @@ describe("graph-directed systems", () => {
     const half = directed.interpolateDirected(fern, star, { u: 0.5, v: 0.5, mode: "linear" });
     expect(directed.directedFacts(half).states.length).toBeGreaterThan(2);
     expect(refused(() => directed.outlineShape("None", { knots: [], edges: [] }))).not.toBe("");
+    // Without a box it stays where it is.
+    for (const box of [undefined, null]) {
+      const [plain] = directed.directedFacts(
+        directed.outlineShape("Star", { knots, edges }, box as never),
+      ).states;
+      expect(plain?.max[1]).toBeGreaterThan(290);
+    }
   });
 
   it("are described, sampled and drawn", () => {

@@ -180,28 +180,48 @@ function mismatch(given, value, path, strict, depth = 0) {
 
 /** Entries of a list whose lengths are looked at. */
 const MOST_ROWS = 256;
+/** No list that a module takes entry by entry is longer; what are many numbers are typed arrays. */
+const MOST_LENGTH = 10_000_000;
 
-/** A row that is longer than it may be: a module would take the first of its numbers, and no more. */
-function longRow(given, value, path) {
+/** Whether it is a number, a text or the like. */
+const isScalar = (type) =>
+  ["number", "string", "boolean"].includes(type) ||
+  type.is !== undefined ||
+  Boolean(type.any?.every((one) => isScalar(resolved(one))));
+
+/**
+ * What a module must not be handed. A row that is longer than it may be: it would take the first of its numbers, and no
+ * more. A list or an object in place of a number or a text: some parts of a module take in all of it before they refuse
+ * it, however long or deep it is.
+ */
+function unfit(given, value, path) {
   const type = resolved(given);
-  if (typeof type !== "object" || typeof value !== "object" || value === null) return undefined;
-  if (type.row && Array.isArray(value) && value.length > type.row.length) return { path, type, value };
-  if (type.list && typeof type.list === "object" && Array.isArray(value)) {
+  if (typeof value !== "object" || value === null) return undefined;
+  if (isScalar(type)) return { path, type, value };
+  if (type.row && Array.isArray(value)) {
+    if (value.length > type.row.length) return { path, type, value };
+    for (let i = 0; i < value.length; i++) {
+      const found = unfit(type.row[i], value[i], `${path}[${i}]`);
+      if (found) return found;
+    }
+    return undefined;
+  }
+  if (type.list && Array.isArray(value)) {
+    if (value.length > MOST_LENGTH) return { path, type, value };
     for (let i = 0; i < Math.min(value.length, MOST_ROWS); i++) {
-      const found = longRow(type.list, value[i], `${path}[${i}]`);
+      const found = unfit(type.list, value[i], `${path}[${i}]`);
       if (found) return found;
     }
     return undefined;
   }
   for (const [key, field] of Object.entries(fieldsOf(type)?.object ?? {})) {
-    if (typeof field !== "object") continue;
     let inside;
     try {
       inside = value[key];
     } catch {
       return undefined;
     }
-    const found = longRow(field, inside, `${path}.${key}`);
+    const found = unfit(field, inside, `${path}.${key}`);
     if (found) return found;
   }
   return undefined;
@@ -307,9 +327,13 @@ function plain(name, { name: path, type, optional }, value) {
   } else if (type === "boolean") {
     if (typeof value === "boolean" || typeof value === "number") return value;
   } else if (typeof type === "object" && !type.instance?.endsWith("Array")) {
-    const long = longRow(type, value, path);
-    if (!long) return value;
-    throw wrong(`${name}: ${long.path} must be ${wanted(long.type)}, and is ${shown(long.value)}.`);
+    // What has a length and no entries is no list.
+    const list = !resolved(type).list || typeof value[Symbol.iterator] === "function";
+    const found = list ? unfit(type, value, path) : { path, type: resolved(type), value };
+    if (!found) return value;
+    throw wrong(
+      `${name}: ${found.path} must be ${wanted(found.type)}${found.type.list && list ? " that is shorter" : ""}, and is ${shown(found.value)}.`,
+    );
   }
   throw wrong(`${name}: ${path} must be ${wanted(resolved(type))}, and is ${shown(value)}.`);
 }
