@@ -5,7 +5,7 @@
 import { resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
-import { ship } from "./package/ship";
+import { ship } from "./package/ship.ts";
 
 /** Beside the parts. */
 function modules(): Plugin {

@@ -5,7 +5,7 @@
  */
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { type Call, type Class, type Declarations, declarations, type Schema } from "./declarations";
+import { type Call, type Class, type Declarations, declarations, type Schema } from "./declarations.ts";
 
 /** The entries that are a module each, and those of the renderer, which are no entries themselves. */
 const ENTRIES = [
