@@ -27,8 +27,9 @@ function blocks(file: string): string[] {
   });
 }
 
-/** Of the package; the others are about pages around the element and the frame. */
-const ofPackage = (code: string) => /frond-ifs|\.\/frond\//.test(code);
+/** Of the package; the others are about the element and the frame, in pages and frameworks around them. */
+const ofPackage = (code: string) =>
+  /frond-ifs|\.\/frond\//.test(code) && !/frond-ifs\/(?:view|jsx)/.test(code);
 
 /** A page takes the file; whoever installs takes the entry. */
 const installed = (code: string) =>
