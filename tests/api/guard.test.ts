@@ -4,6 +4,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { type Call, declarations } from "../../www/build/package/declarations";
+import { ENTRIES } from "../../www/build/package/ship";
 import { type Packed, packed, root } from "./packed";
 
 let all: Packed;
@@ -15,17 +16,6 @@ beforeAll(async () => {
 afterAll(() => all.drop());
 
 const lines = (program: string) => all.node(program).trim().split("\n");
-
-const ENTRIES = [
-  ["draw", "frond"],
-  ["curve", "frond-curve"],
-  ["proof", "frond-proof"],
-  ["fit", "frond-fit"],
-  ["space", "frond-space"],
-  ["exchange", "frond-exchange"],
-  ["directed", "frond-directed"],
-  ["morph", "frond-morph"],
-] as const;
 
 const COMMON = ["start", "initSync", "__wbg_init"];
 

@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { type Call, type Class, type Declarations, declarations, type Schema } from "./declarations.ts";
 
 /** The entries that are a module each, and those of the renderer, which are no entries themselves. */
-const ENTRIES = [
+export const ENTRIES = [
   ["draw", "frond"],
   ["curve", "frond-curve"],
   ["proof", "frond-proof"],

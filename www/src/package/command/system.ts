@@ -1,6 +1,6 @@
 /** What the system gives the command: modules, workers, files and somebody who reads. */
 import type { Locus, PathCertificate, PathPlan } from "#wasm/api";
-import type { Measured, SplineMeasured } from "#workers/fit/curve";
+import type { MeasuredCurve, SplineMeasured } from "#workers/fit/curve";
 import type { Frame, IndexedFrame, PngFrame } from "./draw/frame";
 import type {
   Curves,
@@ -34,7 +34,7 @@ export interface Pool {
     ...args: Parameters<Proof["connectedCertificate"]>
   ): Promise<ReturnType<Proof["connectedCertificate"]>>;
   locus(...args: [...Parameters<Proof["locus"]>, How]): Promise<Locus>;
-  fitCurve(outline: Float64Array, options: { numbers: number }, how: How): Promise<Measured>;
+  fitCurve(outline: Float64Array, options: { numbers: number }, how: How): Promise<MeasuredCurve>;
   fitWithin(outline: Float64Array, bytes: number, how: How): Promise<SplineMeasured>;
 }
 

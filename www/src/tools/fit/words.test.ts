@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import type { Figures } from "#workers/fit/curve";
+import type { FitFigures } from "#workers/fit/curve";
 import { compareBytes, compareWords, roughWords, signed } from "./words";
 
-const figures = (rms: number): Figures => ({
+const figures = (rms: number): FitFigures => ({
   rms,
   hausdorff: 0.4,
   lengthRatio: 0.9,

@@ -3,7 +3,7 @@ import { computed, type ReadonlySignal } from "@preact/signals";
 import { bytesOf, fitDocument } from "#document/fit";
 import { nearestWords, percent } from "#format/nearness";
 import { fixed } from "#format/numbers";
-import type { ByteMethod, ByteRival, Figures, Method, Rival } from "#workers/fit/curve";
+import type { ByteMethod, ByteRival, FitFigures, Method, Rival } from "#workers/fit/curve";
 import { cutting } from "./stage/layers";
 import { collage, shownFigures, shownFit } from "./work/fitting";
 import { masked, masking, traced } from "./work/mask";
@@ -80,7 +80,7 @@ export const BYTE_METHODS: Record<ByteMethod, { name: string; about: string }> =
 };
 
 /** The comparison in a sentence. */
-export function compareWords(figures: Figures, rivals: readonly Rival[]): string {
+export function compareWords(figures: FitFigures, rivals: readonly Rival[]): string {
   return nearestWords(
     figures.rms,
     rivals.map(({ method, figures }) => ({ name: METHODS[method].name, rms: figures.rms })),
@@ -96,7 +96,7 @@ export function compareBytes(rms: number, rivals: readonly ByteRival[]): string 
 }
 
 /** How rough a fit is beside its outline: in words only where dimension and length say the same. */
-export function roughWords({ fitSlope, outlineSlope, lengthRatio }: Figures): string {
+export function roughWords({ fitSlope, outlineSlope, lengthRatio }: FitFigures): string {
   const d = fitSlope - outlineSlope;
   const length = `${Math.round(100 * lengthRatio)}% of its length`;
   if (Math.abs(d) <= 0.01 && Math.abs(lengthRatio - 1) <= 0.03) return "As rough as the outline.";

@@ -1,27 +1,9 @@
 /** From an outline to closed curves, and what they are compared with. Outlines are x0, y0, x1, y1, .. with y up. */
 import type { Curve } from "#wasm/api";
+import type { Collage, CollageOptions, FitFigures, MeasuredCurve, PreparedOutline } from "#wasm/fit";
 import type { Context } from "./context";
 
-/** How near a fit is to its outline; errors in percent of the diagonal of the outline's box. */
-export interface Figures {
-  /** Root mean square distance from the outline's points to the fit. */
-  rms: number;
-  /** No point of either is farther from the other. */
-  hausdorff: number;
-  /** The fit's length over the outline's. */
-  lengthRatio: number;
-  /** Box dimensions between 1/64 and 1/256 of the diagonal. */
-  outlineSlope: number;
-  fitSlope: number;
-}
-
-export interface Prepared {
-  points: Float64Array<ArrayBuffer>;
-  diagonal: number;
-  length: number;
-  /** How often it crosses itself, 99 at most; null where it is too tangled to tell. */
-  crossings: number | null;
-}
+export type { Collage, CollageOptions, FitFigures, MeasuredCurve, PreparedOutline } from "#wasm/fit";
 
 export type Grown = "sugar-maple" | "white-oak" | "island" | "noisy";
 export type FitStage = "straight" | "copies" | "trade" | "polish";
@@ -38,22 +20,13 @@ export interface Reached {
   rms: number | null;
 }
 
-/** A fit as a link brings it back, and how near it is. */
-export interface Measured {
-  curve: Curve;
-  points: Float64Array<ArrayBuffer>;
-  figures: Figures;
-  /** What it takes up in a link, before it is written in letters. */
-  bytes: number;
-}
-
 export type Method = "split" | "squares" | "fourier" | "bezier" | "collage";
 
 export interface Rival {
   method: Method;
   numbers: number;
   points: Float64Array<ArrayBuffer>;
-  figures: Figures;
+  figures: FitFigures;
 }
 
 /** Ways to spend bytes, each coded as well as the fit. */
@@ -76,43 +49,13 @@ export interface SplineMeasured {
   bends: number;
   /** A polyline of it. */
   points: Float64Array<ArrayBuffer>;
-  figures: Figures;
+  figures: FitFigures;
 }
 
 export interface ByteRival {
   method: ByteMethod;
   points: Float64Array<ArrayBuffer>;
   rms: number;
-}
-
-export interface CollageOptions {
-  maps: number;
-  /** Feature points of the outline. */
-  features: number;
-  /** x and y apart from each other (eq 8), or together (eq 9). */
-  separable: boolean;
-  /** Whether copies end where their ranges do: then there are no gaps. */
-  tied: boolean;
-  /** Whether any part may be copied (PFIF), or only what begins where a range does (RFIF). */
-  partitioned: boolean;
-}
-
-/** The fit of Cochran, Hart & Flynn, section 3.2. */
-export interface Collage {
-  /** All pieces, one after the other, and the point at which each begins. */
-  points: Float64Array<ArrayBuffer>;
-  starts: Float64Array<ArrayBuffer>;
-  /** x0, y0, x1, y1 of the step from each piece to the next. */
-  gaps: Float64Array<ArrayBuffer>;
-  /** Of the gaps, in percent of the diagonal. */
-  widest: number;
-  mean: number;
-  /** The sum of squares of eq 15. */
-  collage: number;
-  numbers: number;
-  /** Start of the domain in feature points, reversed (0 or 1), the matrix of c's by rows, b, e. */
-  maps: number[][];
-  figures: Figures;
 }
 
 /** How long it goes on between two breaths, and between two words of what has been reached. */
@@ -133,7 +76,7 @@ export const curveTasks = {
   },
 
   /** What is fitted of points: counter-clockwise, smoothed by 0 to 1, and no more points than are seen. */
-  prepare({ fit, transfer }: Plain, args: { points: Float64Array; smoothing: number }): Prepared {
+  prepare({ fit, transfer }: Plain, args: { points: Float64Array; smoothing: number }): PreparedOutline {
     const prepared = fit.prepareOutline(args.points, args.smoothing);
     transfer(prepared.points.buffer);
     return prepared;
@@ -148,7 +91,7 @@ export const curveTasks = {
   async fitCurve(
     { fit, progress, breathe }: Context<Reached>,
     { points, numbers }: { points: Float64Array; numbers: number },
-  ): Promise<Measured> {
+  ): Promise<MeasuredCurve> {
     const handle = new fit.CurveFit(points, numbers);
     const tell = (state: Omit<Reached, "curve" | "points">) => {
       const reached = { ...handle.best(), ...state };
@@ -215,7 +158,7 @@ export const curveTasks = {
   },
 
   /** How near a curve is to an outline. */
-  measure({ fit }: Plain, args: { points: Float64Array; curve: Curve }): Measured {
+  measure({ fit }: Plain, args: { points: Float64Array; curve: Curve }): MeasuredCurve {
     return fit.measureCurve(args.points, args.curve);
   },
 

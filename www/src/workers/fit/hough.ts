@@ -1,55 +1,14 @@
 /** The maps that a graph is made of, found by voting. Points are t0, x0, t1, x1, .. */
 import type { Graph } from "#wasm/api";
-import type { FitModule } from "#wasm/fit";
+import type { FitModule, GraphMap, HoughCandidate, HoughClusters, HoughOptions } from "#wasm/fit";
 import type { Context } from "./context";
 
-export interface HoughOptions {
-  /** Whether mirrored maps are tried, too; it takes twice as long. */
-  reflected?: boolean;
-  /** Maps with a smaller |a| or |c| are not counted. */
-  leastA?: number;
-  leastC?: number;
-  /** How many (a, b, c) cells the second pass looks at: 200 at most. */
-  cells?: number;
-  mostB?: number;
-}
+export type { HoughCluster, HoughClusters, HoughOptions } from "#wasm/fit";
 
 /** What is counted: domains of coarse feature points, ranges of fine ones. */
 export interface FeatureSets {
   coarse: Float64Array;
   fine: Float64Array;
-}
-
-type FiveNumbers = [a: number, b: number, c: number, d: number, e: number];
-
-/** A map that holds on a part of the graph. */
-interface HoughCandidate {
-  map: FiveNumbers;
-  domain: [number, number];
-  /** Coarse feature points that it copies well, and how well: root mean square, in heights of the graph. */
-  points: number;
-  rms: number;
-}
-
-export interface FoundCluster {
-  hits: number;
-  /** The middle of its bin. */
-  map: FiveNumbers;
-  /** The same, in the ranges that are counted: -1 to 1. */
-  at: FiveNumbers;
-  /** Along the principal components, from the middle. */
-  place: FiveNumbers;
-  kind: "map" | "echo" | "clutter";
-  /** Of an echo: the maps that it is composed of, the last done first. */
-  echo: { cluster: number; inverse: boolean }[];
-  candidate: HoughCandidate | null;
-}
-
-export interface Clusters {
-  /** The most hits first. */
-  found: FoundCluster[];
-  /** The principal components of the clusters, each with its part of the variance; null where there are no clusters. */
-  space: { mean: FiveNumbers; axes: FiveNumbers[]; shares: FiveNumbers } | null;
 }
 
 export interface Assembled {
@@ -187,7 +146,7 @@ export const houghTasks = {
   houghClusters(
     { fit }: Plain,
     { sets, options, peaks }: { sets: FeatureSets; options: HoughOptions; peaks: Float64Array[] },
-  ): Clusters {
+  ): HoughClusters {
     const all = new Float64Array(peaks.reduce((sum, part) => sum + part.length, 0));
     let from = 0;
     for (const part of peaks) {
@@ -213,7 +172,7 @@ export const houghTasks = {
   /** A whole function of maps that were picked with their domains. */
   houghPicked(
     { fit }: Plain,
-    args: { sets: FeatureSets; picks: { map: FiveNumbers; domain: [number, number] }[]; tied: boolean },
+    args: { sets: FeatureSets; picks: { map: GraphMap; domain: [number, number] }[]; tied: boolean },
   ): Assembled {
     return fit.houghPicked(args.sets.coarse, args.sets.fine, args.picks, args.tied);
   },

@@ -4,7 +4,7 @@ import { fixed } from "#format/numbers";
 import { palette } from "#style/palette";
 import { TABLE_3 as TABLE_3_GRAPH } from "#tools/fit/graph/printed";
 import { Switch } from "#ui/controls/Switch";
-import type { FoundCluster } from "#workers/fit/hough";
+import type { HoughCluster } from "#workers/fit/hough";
 import { QUARTERS } from "../../kit/chart/scale";
 import { SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
@@ -201,7 +201,7 @@ function ticksTo(most: number): number[] {
   return Array.from({ length: Math.floor(most / step) + 1 }, (_, i) => i * step);
 }
 
-function countOf(found: readonly FoundCluster[], kind: FoundCluster["kind"]): number {
+function countOf(found: readonly HoughCluster[], kind: HoughCluster["kind"]): number {
   return found.filter((cluster) => cluster.kind === kind).length;
 }
 
@@ -219,12 +219,12 @@ function axisWords(axis: readonly number[]): string {
 }
 
 function circles(
-  found: readonly FoundCluster[],
+  found: readonly HoughCluster[],
   chosen: number,
   most: number,
-  at: (cluster: FoundCluster) => [number, number],
+  at: (cluster: HoughCluster) => [number, number],
 ): Dots[] {
-  const sizeOf = ({ hits }: FoundCluster) => Math.max(3, WIDEST * Math.sqrt(hits / most));
+  const sizeOf = ({ hits }: HoughCluster) => Math.max(3, WIDEST * Math.sqrt(hits / most));
   const dots = found.map((cluster): Dots => {
     return { points: at(cluster), colour: KIND_COLOURS[cluster.kind], size: sizeOf(cluster), hollow: true };
   });
@@ -237,9 +237,9 @@ function circles(
 }
 
 interface PickProps {
-  found: readonly FoundCluster[];
+  found: readonly HoughCluster[];
   /** Where each is; without a height only the way across counts. */
-  place: (cluster: FoundCluster, index: number) => [left: number, top: number | null];
+  place: (cluster: HoughCluster, index: number) => [left: number, top: number | null];
   onPick: (index: number) => void;
 }
 
@@ -263,7 +263,7 @@ function Pick({ found, place, onPick }: PickProps) {
 }
 
 interface ImageProps {
-  cluster: FoundCluster | undefined;
+  cluster: HoughCluster | undefined;
   index: number;
   election: Election;
   refined: boolean;

@@ -2,7 +2,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
-import type { Collage, Measured, Method, Reached, Rival } from "#workers/fit/curve";
+import type { Collage, MeasuredCurve, Method, Reached, Rival } from "#workers/fit/curve";
 
 /** As the paper has it. */
 export const FEATURES = 261;
@@ -68,7 +68,7 @@ export interface CurveState {
   state: "running" | "stopped" | "done" | "failed";
   /** The best so far. */
   reached: Reached | null;
-  done: Measured | null;
+  done: MeasuredCurve | null;
   /** Plain polylines of as many numbers. */
   rivals: readonly Rival[];
   problem: string;

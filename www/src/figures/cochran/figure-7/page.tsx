@@ -5,7 +5,7 @@ import { UNIT } from "#geometry/boxes";
 import { boxOfPoints } from "#geometry/point-box";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
-import type { Collage, Figures } from "#workers/fit/curve";
+import type { Collage, FitFigures } from "#workers/fit/curve";
 import { numbersPerMap } from "#workers/fit/map-numbers";
 import { Choice } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
@@ -275,7 +275,7 @@ interface RowOf {
   name: string;
   numbers: number | undefined;
   gap: number | undefined;
-  figures: Figures | undefined;
+  figures: FitFigures | undefined;
 }
 
 function ErrorRow({ name, numbers, gap, figures }: RowOf) {

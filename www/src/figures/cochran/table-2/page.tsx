@@ -2,7 +2,7 @@ import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { TABLE_1 as TABLE_1_GRAPH } from "#tools/fit/graph/printed";
 import { Switch } from "#ui/controls/Switch";
-import type { FoundCluster } from "#workers/fit/hough";
+import type { HoughCluster } from "#workers/fit/hough";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
@@ -113,7 +113,7 @@ export function Page(heading: Heading) {
   );
 }
 
-function printedRank(cluster: FoundCluster): string {
+function printedRank(cluster: HoughCluster): string {
   const row = nearestOf(
     cluster.map,
     TABLE_2.map(({ map }) => map),
@@ -121,7 +121,7 @@ function printedRank(cluster: FoundCluster): string {
   return row === null ? "–" : `#${row + 1}`;
 }
 
-function hereRank(found: readonly FoundCluster[], row: number): string {
+function hereRank(found: readonly HoughCluster[], row: number): string {
   if (found.length === 0) return "…";
   const map = TABLE_2[row]?.map;
   const index = map

@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
-import type { FoundCluster } from "#workers/fit/hough";
+import type { HoughCluster } from "#workers/fit/hough";
 import known from "../../../../../tests/known/fit/table2.json";
 import { after, inverse, type ShearMap, TABLE_1, TABLE_2 } from "../graphs/printed-tables";
 import { apartIn, kindWords, letterOf, nearestOf } from "./cluster-names";
 import { added } from "./votes";
 
-const cluster = (map: ShearMap, rest: Partial<FoundCluster> = {}): FoundCluster => ({
+const cluster = (map: ShearMap, rest: Partial<HoughCluster> = {}): HoughCluster => ({
   hits: 1,
   map,
   at: map,

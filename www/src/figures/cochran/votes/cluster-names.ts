@@ -1,5 +1,5 @@
 /** What clusters of votes are called on the page, and which printed rows they are. */
-import type { FoundCluster } from "#workers/fit/hough";
+import type { HoughCluster } from "#workers/fit/hough";
 import { type ShearMap, TABLE_1 } from "../graphs/printed-tables";
 
 /** So far may two maps be from each other and still be one: some bins of a, b, c, d and e. */
@@ -19,7 +19,7 @@ export function nearestOf(map: ShearMap, others: readonly ShearMap[]): number | 
 }
 
 /** T₁ and T₂ where it is one of Table 1's, else its rank. */
-export function letterOf(found: readonly FoundCluster[], index: number): string {
+export function letterOf(found: readonly HoughCluster[], index: number): string {
   const cluster = found[index];
   const known = cluster
     ? nearestOf(
@@ -32,7 +32,7 @@ export function letterOf(found: readonly FoundCluster[], index: number): string 
 
 /** A map, an echo with what it is composed of, or clutter; `letter` names maps. */
 export function kindWords(
-  cluster: FoundCluster,
+  cluster: HoughCluster,
   index: number,
   letter: (index: number) => string = (i) => `#${i + 1}`,
 ): string {

@@ -2,7 +2,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
-import type { Clusters, Counting, FeatureSets } from "#workers/fit/hough";
+import type { Counting, FeatureSets, HoughClusters } from "#workers/fit/hough";
 
 export interface Election {
   /** Under which its outcome is kept, for whoever comes back. */
@@ -13,7 +13,7 @@ export interface Election {
 }
 
 export interface Outcome {
-  clusters: Clusters;
+  clusters: HoughClusters;
   votes: number;
   /** Hits at a * 128 + c, the most of any b. */
   plane: Uint32Array;

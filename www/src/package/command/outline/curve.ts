@@ -2,7 +2,7 @@
 import { curveJson, pointsCsv, splineJson } from "#format/curve-files";
 import { INK } from "#style/colours";
 import type { Scene } from "#wasm/api";
-import type { Prepared } from "#workers/fit/curve";
+import type { PreparedOutline } from "#workers/fit/curve";
 import { kindOf, number, type Options, Refusal, whole } from "../options";
 import { answer } from "../plan";
 import { progress } from "../progress";
@@ -49,7 +49,7 @@ export async function fit(word: string, options: Options, system: System): Promi
   const smoothing = number(options, "smoothing", 0, 1, 0);
   const { name, points } = await outlineOf(word, options, system);
   const { prepareOutline } = await system.fit();
-  const outline: Prepared = prepareOutline(points, smoothing);
+  const outline: PreparedOutline = prepareOutline(points, smoothing);
   const meter = progress(system);
   const onProgress = (share: number) => meter.say(share);
   const { encodeScene, defaultScene } = await system.draw();

@@ -1,5 +1,5 @@
 /** The outline that a file gives: of a drawing or a table as it is there, of a picture by tracing it. */
-import type { OpenedOutlines, OpenedSeries, TracedOutline, TraceWarning } from "#workers/fit/trace-types";
+import type { OpenedOutlines, OpenedSeries } from "#workers/fit/trace-types";
 import { number, type Options, Refusal, whole } from "../options";
 import { nameOf, plainName } from "../subject";
 import type { System } from "../system";
@@ -40,7 +40,7 @@ async function traced({ width, height, pixels, original }: Picture, options: Opt
   const component = pieceOf(options);
   const { traceOutline } = await system.fit();
   const stalk = options["no-stalk"] !== true;
-  const found: TracedOutline = traceOutline(pixels, width, height, { threshold, stalk, component });
+  const found = traceOutline(pixels, width, height, { threshold, stalk, component });
   if (width !== original.width)
     system.tell(`${original.width} x ${original.height} pixels: traced at ${width} x ${height}.`);
   warn(found.warnings, system);
@@ -69,11 +69,11 @@ async function readText(bytes: Uint8Array, system: System): Promise<Omit<OpenedO
 }
 
 /** Nobody has a brush here: what the studio says of strokes is said in other words. */
-const WORDS: Partial<Record<TraceWarning["code"], string>> = {
+const WORDS: Readonly<Partial<Record<string, string>>> = {
   holes: "It has holes, which are filled: an outline is one line around it.",
   several: "It is in several pieces, and the largest is taken: --piece 2 takes the next.",
 };
 
-function warn(warnings: readonly TraceWarning[], system: System): void {
+function warn(warnings: readonly { code: string; message: string }[], system: System): void {
   for (const { code, message } of warnings) system.tell(WORDS[code] ?? message);
 }

@@ -3,7 +3,7 @@ import { computed } from "@preact/signals";
 import { fitDocument } from "#document/fit";
 import { percent } from "#format/nearness";
 import { Button } from "#ui/controls/Button";
-import type { Figures, Rival } from "#workers/fit/curve";
+import type { FitFigures, Rival } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
 import { cutting } from "../stage/layers";
 import { compareWords, METHODS, roughWords, signed } from "../words";
@@ -106,9 +106,9 @@ function Paper() {
 }
 
 /** Errors of the same size as bars, the nearest on top; and in words. */
-function Chart({ own, all }: { own: Figures; all: readonly Rival[] }) {
+function Chart({ own, all }: { own: FitFigures; all: readonly Rival[] }) {
   if (all.length === 0) return <p class="hint">Others of the same size are being fitted …</p>;
-  const rough = ({ fitSlope, outlineSlope }: Figures) => signed(fitSlope - outlineSlope);
+  const rough = ({ fitSlope, outlineSlope }: FitFigures) => signed(fitSlope - outlineSlope);
   return (
     <Bars
       caption="Error of as many numbers, spent in other ways"

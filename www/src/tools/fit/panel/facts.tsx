@@ -2,7 +2,7 @@
 
 import { percent } from "#format/nearness";
 import { fixed } from "#format/numbers";
-import type { Figures } from "#workers/fit/curve";
+import type { FitFigures } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
 import { signed } from "../words";
 
@@ -15,7 +15,7 @@ export function Fact({ name, children }: { name: string; children: string | numb
   );
 }
 
-export function Table({ figures }: { figures: Figures }) {
+export function Table({ figures }: { figures: FitFigures }) {
   const { rms, hausdorff, lengthRatio, fitSlope, outlineSlope } = figures;
   return (
     <dl class={`${fitCss["facts"]} number`} data-testid="figures">

@@ -8,7 +8,7 @@ import { announce, notify, wordsOf } from "#document/notice";
 import type { Curve, CurveShape, Fit, SplineShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
-import type { Collage, CollageOptions, Figures, Method, Prepared, Rival } from "#workers/fit/curve";
+import type { Collage, CollageOptions, FitFigures, Method, PreparedOutline, Rival } from "#workers/fit/curve";
 import { isStopped, Latest } from "#workers/lanes/latest";
 import { reached, sameCurve } from "../same-curve";
 import { plainName } from "./name";
@@ -21,7 +21,7 @@ export const LEAST_NUMBERS = 12;
 export const MOST_NUMBERS = 2000;
 
 export interface Best {
-  of: Prepared;
+  of: PreparedOutline;
   /** What was asked for. */
   numbers: number;
   curve: Curve;
@@ -30,16 +30,19 @@ export interface Best {
 
 /** A fit as a link brings it back. Without figures where there is no outline to measure it by. */
 export interface Fitted extends Best {
-  figures: Figures | null;
+  figures: FitFigures | null;
   bytes: number;
 }
 
 export const best = signal<Best | null>(null);
 export const fitted = signal<Fitted | null>(null);
-const compared = signal<{ of: Prepared; numbers: number; list: readonly Rival[]; whole: boolean } | null>(
-  null,
-);
-export const collage = signal<{ of: Prepared; options: CollageOptions; fit: Collage } | null>(null);
+const compared = signal<{
+  of: PreparedOutline;
+  numbers: number;
+  list: readonly Rival[];
+  whole: boolean;
+} | null>(null);
+export const collage = signal<{ of: PreparedOutline; options: CollageOptions; fit: Collage } | null>(null);
 /** Milliseconds from the request to the first fit and to the last: for the measurements. */
 export const clock = signal<{ first: number; whole: number }>({ first: 0, whole: 0 });
 
@@ -58,8 +61,8 @@ const METHODS: readonly Method[] = ["squares", "bezier", "split", "fourier", "co
 const REST_MS = 140;
 
 const latest = new Latest();
-const cache = new WeakMap<Prepared, Map<number, Fitted>>();
-const comparisons = new WeakMap<Prepared, Map<number, readonly Rival[]>>();
+const cache = new WeakMap<PreparedOutline, Map<number, Fitted>>();
+const comparisons = new WeakMap<PreparedOutline, Map<number, readonly Rival[]>>();
 /** Curves that were fitted here: a document that holds another was opened from a link. */
 const own = new WeakMap<Curve, { of: Source; fitted: Fitted | null }>();
 /** What curves were fitted to that the shelf brings back. */
@@ -77,7 +80,7 @@ const wanted = computed(() => {
 /** Keeps the fit up with the outline and what is asked for. Returns the end of it. */
 export function watchFit(): () => void {
   let timer: ReturnType<typeof setTimeout> | null = null;
-  let seen: Prepared | null = null;
+  let seen: PreparedOutline | null = null;
   watched.value = true;
   const stopFit = effect(() => {
     const outline = prepared.value;
@@ -189,9 +192,9 @@ export function fitAgain(): void {
 }
 
 /** What is under way. */
-let asked: { of: Prepared; wanted: string } | null = null;
+let asked: { of: PreparedOutline; wanted: string } | null = null;
 
-function begin(outline: Prepared, again = false): void {
+function begin(outline: PreparedOutline, again = false): void {
   // A document that was opened has its own curve, which is not to be overwritten.
   if (!upToDate()) return;
   if (!again && running.peek() && asked?.of === outline && asked.wanted === wanted.peek()) return;
@@ -245,7 +248,7 @@ async function measure(done: Best, signal: AbortSignal): Promise<void> {
 }
 
 /** The curve of a link, as long as nothing else is asked for. */
-function keptFit(outline: Prepared, numbers: number): Fitted | null {
+function keptFit(outline: PreparedOutline, numbers: number): Fitted | null {
   const now = source.peek();
   if (now.kind !== "kept" || now.word !== null || now.numbers !== numbers || now.origin) return null;
   const { curve } = now;
@@ -264,14 +267,14 @@ function keptCurve(numbers: number): Curve | null {
 }
 
 /** The fit of the document, where it was made here of the very same outline. */
-function sameFit(outline: Prepared, numbers: number): Fitted | null {
+function sameFit(outline: PreparedOutline, numbers: number): Fitted | null {
   const curve = fitDocument.peek().curve?.curve;
   const made = curve && own.get(curve)?.fitted;
   if (!made || made.numbers !== numbers || made.of.points.length !== outline.points.length) return null;
   return made.of.points.every((x, i) => x === outline.points[i]) ? { ...made, of: outline } : null;
 }
 
-async function fitCurve(outline: Prepared, numbers: number, signal: AbortSignal): Promise<void> {
+async function fitCurve(outline: PreparedOutline, numbers: number, signal: AbortSignal): Promise<void> {
   const began = performance.now();
   let first = 0;
   running.value = { stage: "begin", share: 0 };
@@ -314,7 +317,12 @@ function finish(done: Fitted): void {
   if (done.figures) announce(`Fitted: ${done.figures.rms.toFixed(3)} percent off.`);
 }
 
-function put<T>(into: WeakMap<Prepared, Map<number, T>>, of: Prepared, numbers: number, what: T): void {
+function put<T>(
+  into: WeakMap<PreparedOutline, Map<number, T>>,
+  of: PreparedOutline,
+  numbers: number,
+  what: T,
+): void {
   into.set(of, (into.get(of) ?? new Map<number, T>()).set(numbers, what));
 }
 
@@ -347,7 +355,7 @@ export function shapeOf(curve: Curve): CurveShape {
 const SOON = 400;
 const BESIDE = 1;
 
-async function compare(of: Prepared, numbers: number, signal: AbortSignal): Promise<void> {
+async function compare(of: PreparedOutline, numbers: number, signal: AbortSignal): Promise<void> {
   const known = comparisons.get(of)?.get(numbers);
   compared.value = { of, numbers, list: known ?? [], whole: known !== undefined };
   if (known) return;
@@ -376,7 +384,11 @@ async function compare(of: Prepared, numbers: number, signal: AbortSignal): Prom
   }
 }
 
-async function fitCollage(outline: Prepared, options: CollageOptions, signal: AbortSignal): Promise<void> {
+async function fitCollage(
+  outline: PreparedOutline,
+  options: CollageOptions,
+  signal: AbortSignal,
+): Promise<void> {
   running.value = { stage: "begin", share: 0 };
   try {
     const fit = await fitTask("collage", { points: outline.points, options }, { signal });

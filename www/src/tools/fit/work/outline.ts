@@ -5,7 +5,7 @@ import { notify, wordsOf } from "#document/notice";
 import type { Curve, CurvePreset } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
-import type { Prepared } from "#workers/fit/curve";
+import type { PreparedOutline } from "#workers/fit/curve";
 import { InTurn, isStopped } from "#workers/lanes/latest";
 import { boxOf, framed, frameOfPoints, frameOfSize, PLAIN } from "./frame";
 import { traced } from "./mask";
@@ -80,7 +80,7 @@ export function numbersOf(curve: Curve): number {
 }
 
 /** What is fitted now. */
-export const prepared = signal<Prepared | null>(null);
+export const prepared = signal<PreparedOutline | null>(null);
 /** Where it lies: what the stage fits. */
 export const outlineBox = computed(() => {
   const points = prepared.value?.points ?? raw.value;

@@ -6,7 +6,7 @@ import { announce, notify, wordsOf } from "#document/notice";
 import type { CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
-import type { ByteMethod, ByteRival, Figures, Prepared, SplineMeasured } from "#workers/fit/curve";
+import type { ByteMethod, ByteRival, FitFigures, PreparedOutline, SplineMeasured } from "#workers/fit/curve";
 import { isStopped } from "#workers/lanes/latest";
 import { plainName } from "./name";
 import { prepared } from "./outline";
@@ -15,7 +15,7 @@ import { type Source, source } from "./source";
 
 /** A curve that is there, packed in letters, and how many bytes it was to take. */
 export interface Within {
-  of: Prepared;
+  of: PreparedOutline;
   asked: number;
   word: string;
   points: Float64Array;
@@ -27,21 +27,24 @@ export interface WithinDone extends Within {
   bytes: number;
   corners: number;
   bends: number;
-  figures: Figures | null;
+  figures: FitFigures | null;
 }
 
 const reached = signal<Within | null>(null);
 const finished = signal<WithinDone | null>(null);
-const compared = signal<{ of: Prepared; asked: number; list: readonly ByteRival[]; whole: boolean } | null>(
-  null,
-);
+const compared = signal<{
+  of: PreparedOutline;
+  asked: number;
+  list: readonly ByteRival[];
+  whole: boolean;
+} | null>(null);
 
 const METHODS: readonly ByteMethod[] = ["squares", "bezier", "fourier"];
 /** Not the worker that fits. */
 const BESIDE = 1;
 
-const cache = new WeakMap<Prepared, Map<number, WithinDone>>();
-const comparisons = new WeakMap<Prepared, Map<number, readonly ByteRival[]>>();
+const cache = new WeakMap<PreparedOutline, Map<number, WithinDone>>();
+const comparisons = new WeakMap<PreparedOutline, Map<number, readonly ByteRival[]>>();
 /** Curves that were fitted here or came before: what they were made from. */
 const own = new Map<string, { of: Source; done: WithinDone | null }>();
 
@@ -92,7 +95,7 @@ export const polygonShape = (word: string): CurveShape => ({
 });
 
 /** What is there without fitting: found before, or brought by the document. */
-function known(outline: Prepared, asked: number): WithinDone | null {
+function known(outline: PreparedOutline, asked: number): WithinDone | null {
   const before = cache.get(outline)?.get(asked);
   if (before) return before;
   const word = fitDocument.peek().spline?.word;
@@ -110,7 +113,11 @@ function brought(asked: number): { word: string; measurable: boolean } | null {
 }
 
 /** Fits the outline, or takes what is there. */
-export async function fitWithin(outline: Prepared, signal: AbortSignal, again: boolean): Promise<void> {
+export async function fitWithin(
+  outline: PreparedOutline,
+  signal: AbortSignal,
+  again: boolean,
+): Promise<void> {
   const asked = bytesOf(fitDocument.peek());
   if (again) cache.get(outline)?.delete(asked);
   try {
@@ -146,14 +153,14 @@ export async function fitWithin(outline: Prepared, signal: AbortSignal, again: b
   }
 }
 
-const of = (outline: Prepared, asked: number, got: SplineMeasured): WithinDone => ({
+const of = (outline: PreparedOutline, asked: number, got: SplineMeasured): WithinDone => ({
   ...got,
   of: outline,
   asked,
   bytes: got.bytes.length,
 });
 
-function unmeasured(outline: Prepared, asked: number, word: string): WithinDone {
+function unmeasured(outline: PreparedOutline, asked: number, word: string): WithinDone {
   const { nodes, points, bytes } = rough.unpackSpline(word);
   const corners = nodes.filter(({ on }) => on).length;
   return { of: outline, asked, word, points, bytes, corners, bends: nodes.length - corners, figures: null };
@@ -161,7 +168,7 @@ function unmeasured(outline: Prepared, asked: number, word: string): WithinDone 
 
 /** The figures of a curve that is there. */
 async function measureWithin(
-  outline: Prepared,
+  outline: PreparedOutline,
   asked: number,
   word: string,
   signal: AbortSignal,
@@ -213,7 +220,7 @@ function keep(done: WithinDone): void {
 }
 
 /** Looks for the others, each when the worker beside has time. */
-async function compare(outline: Prepared, asked: number, signal: AbortSignal): Promise<void> {
+async function compare(outline: PreparedOutline, asked: number, signal: AbortSignal): Promise<void> {
   const before = comparisons.get(outline)?.get(asked);
   compared.value = { of: outline, asked, list: before ?? [], whole: before !== undefined };
   if (before) return;

@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals";
 import { Button } from "#ui/controls/Button";
-import type { FoundCluster } from "#workers/fit/hough";
+import type { HoughCluster } from "#workers/fit/hough";
 import { DomainFields } from "../DomainFields";
 import graphCss from "../graph.module.css";
 import { aboutOf, countWords, errorWords, mapWords, nameOf } from "../model/words";
@@ -38,7 +38,7 @@ export function CandidateList() {
   );
 }
 
-function Row({ cluster, index }: { cluster: FoundCluster; index: number }) {
+function Row({ cluster, index }: { cluster: HoughCluster; index: number }) {
   const open = chosen.value === index;
   const name = nameOf(cluster, index);
   return (

@@ -1,6 +1,6 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
-import type { FoundCluster } from "#workers/fit/hough";
+import type { HoughCluster } from "#workers/fit/hough";
 import graphCss from "../graph.module.css";
 import { errorWords, mapWords, nameOf } from "../model/words";
 import { choose, chosen, current, found, isPicked, live, search, togglePick } from "./search";
@@ -93,7 +93,7 @@ function onKey(event: KeyboardEvent): void {
   event.preventDefault();
 }
 
-function extentsOf(list: readonly FoundCluster[], axes: AxesId): [number, number] {
+function extentsOf(list: readonly HoughCluster[], axes: AxesId): [number, number] {
   if (axes === "ac") return [1, 1];
   const most = (i: 0 | 1) => Math.max(1e-6, ...list.map(({ place }) => Math.abs(place[i])));
   // One measure for both directions: how far clusters spread is what is shown.
@@ -101,7 +101,7 @@ function extentsOf(list: readonly FoundCluster[], axes: AxesId): [number, number
   return [both, both];
 }
 
-function placeOf(cluster: FoundCluster, axes: AxesId, [across, up]: [number, number]): [number, number] {
+function placeOf(cluster: HoughCluster, axes: AxesId, [across, up]: [number, number]): [number, number] {
   const [x, y] = axes === "ac" ? [cluster.at[0], cluster.at[2]] : [cluster.place[0], cluster.place[1]];
   const half = MIDDLE - EDGE;
   return [MIDDLE + (half * x) / across, MIDDLE - (half * y) / up];

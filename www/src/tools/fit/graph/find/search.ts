@@ -4,10 +4,10 @@ import { announce, wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
 import type {
   Assembled,
-  Clusters,
   Counting,
   FeatureSets,
-  FoundCluster,
+  HoughCluster,
+  HoughClusters,
   HoughOptions,
 } from "#workers/fit/hough";
 import { isStopped } from "#workers/lanes/latest";
@@ -31,7 +31,7 @@ export interface Search {
   of: Series;
   sets: FeatureSets;
   options: HoughOptions;
-  clusters: Clusters;
+  clusters: HoughClusters;
   votes: number;
   /** Hits at a * 128 + c, the most of any b. */
   plane: Uint32Array;
@@ -49,7 +49,7 @@ export const problem = signal<string | null>(null);
 /** Picks by hand: which clusters, with their domains. */
 export interface Pick {
   cluster: number;
-  map: FoundCluster["map"];
+  map: HoughCluster["map"];
   domain: [number, number];
 }
 export const picks = signal<readonly Pick[]>([]);
@@ -67,7 +67,7 @@ export const assembling = signal(false);
 /** How the graph on the stage was put together, as long as it is that graph. */
 export const assembled = signal<Assembled | null>(null);
 
-export const found: ReadonlySignal<readonly FoundCluster[]> = computed(
+export const found: ReadonlySignal<readonly HoughCluster[]> = computed(
   () => search.value?.clusters.found ?? [],
 );
 
@@ -167,7 +167,7 @@ export async function find(): Promise<void> {
 }
 
 /** What is looked at first: the strongest map, else the strongest echo. Clutter, which fits anything, never. */
-export function firstLook(clusters: readonly FoundCluster[]): number | null {
+export function firstLook(clusters: readonly HoughCluster[]): number | null {
   for (const wanted of ["map", "echo"] as const) {
     const index = clusters.findIndex(({ kind }) => kind === wanted);
     if (index >= 0) return index;
@@ -224,7 +224,7 @@ export function setDomain(cluster: number, domain: [number, number]): void {
 }
 
 /** The map of a cluster: refined where it holds somewhere, else the middle of its bin. */
-export function mapOf(cluster: FoundCluster): FoundCluster["map"] {
+export function mapOf(cluster: HoughCluster): HoughCluster["map"] {
   return cluster.candidate?.map ?? cluster.map;
 }
 
@@ -272,9 +272,9 @@ function candidatesOf({ clusters }: Search) {
 const SAME_MAP = [0.016, 0.047, 0.016, 0.016, 0.047] as const;
 
 /** The clusters that are the seven maps of Table 3, with the maps and domains that the authors refined them to. */
-export function tableThree(clusters: readonly FoundCluster[]): Pick[] {
+export function tableThree(clusters: readonly HoughCluster[]): Pick[] {
   return TABLE_3.pieces.flatMap(({ map, domain }) => {
-    const off = (cluster: FoundCluster) =>
+    const off = (cluster: HoughCluster) =>
       Math.max(...cluster.map.map((x, i) => Math.abs(x - (map[i] ?? 0)) / (SAME_MAP[i] ?? 1)));
     let best = -1;
     for (const [i, cluster] of clusters.entries()) {

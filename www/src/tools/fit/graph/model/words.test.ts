@@ -1,10 +1,10 @@
 import { expect, it } from "vitest";
-import type { FoundCluster } from "#workers/fit/hough";
+import type { HoughCluster } from "#workers/fit/hough";
 import { firstLook, tableThree } from "../find/search";
 import { TABLE_3 } from "../printed";
 import { aboutOf, axisWords, costWords, errorWords, nameOf, offWords } from "./words";
 
-const cluster = (over: Partial<FoundCluster>): FoundCluster => ({
+const cluster = (over: Partial<HoughCluster>): HoughCluster => ({
   hits: 9,
   map: [0.5, 0, 0.5, 0, 0],
   at: [0, 0, 0, 0, 0],

@@ -2,7 +2,7 @@
 
 import { formatNumber } from "#format/numbers";
 import { significant } from "#format/significant";
-import type { Assembled, Clusters, FoundCluster } from "#workers/fit/hough";
+import type { Assembled, HoughCluster, HoughClusters } from "#workers/fit/hough";
 import type { Kind } from "./model";
 
 export const KINDS: readonly { value: Kind; label: string; about: string }[] = [
@@ -18,14 +18,14 @@ export const KINDS: readonly { value: Kind; label: string; about: string }[] = [
 const LETTERS = ["a", "b", "c", "d", "e"] as const;
 
 /** What a cluster is called: numbers count from 1, by hits. */
-export function nameOf({ kind, echo }: FoundCluster, index: number): string {
+export function nameOf({ kind, echo }: HoughCluster, index: number): string {
   if (kind === "clutter") return `Clutter ${index + 1}`;
   if (kind === "map") return `Map ${index + 1}`;
   return `Echo ${echo.map(({ cluster, inverse }) => `${cluster + 1}${inverse ? "⁻¹" : ""}`).join(" ")}`;
 }
 
 /** The same at length. */
-export function aboutOf({ kind, echo }: FoundCluster): string {
+export function aboutOf({ kind, echo }: HoughCluster): string {
   if (kind === "clutter") return "So small that almost everything is a copy of it.";
   if (kind === "map") return "A map of its own.";
   const steps = [...echo].reverse().map(({ cluster, inverse }) => {
@@ -39,7 +39,7 @@ export function mapWords(map: readonly number[]): string {
 }
 
 /** How near a copy comes, in percent of the height, and on how many coarse feature points. */
-export function errorWords({ candidate }: FoundCluster): string {
+export function errorWords({ candidate }: HoughCluster): string {
   if (!candidate) return "holds nowhere";
   const percent = 100 * candidate.rms;
   const off = percent < 0.01 ? "< 0.01" : formatNumber(percent, 2);
@@ -83,7 +83,7 @@ export function axisWords(axis: readonly number[]): string {
     .join(" ");
 }
 
-export function spreadWords(space: NonNullable<Clusters["space"]>): string {
+export function spreadWords(space: NonNullable<HoughClusters["space"]>): string {
   const percent = (n: number) => `${formatNumber(100 * n, 0)}%`;
   const [one, two, three] = space.shares;
   return `${percent(one + two)} of the spread lies in these two directions, ${percent(one + two + three)} in three.`;
