@@ -58,6 +58,7 @@ export async function packed() {
   if (!existsSync(join(folder, "frond-view.js"))) writeFileSync(join(folder, "frond-view.js"), "void 0;\n");
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(root, name), join(folder, name));
   writeFileSync(join(folder, "licenses.txt"), licenseText([...crates(), ...scripts()]));
+  execFileSync(process.execPath, [join(root, "www/build/package/finish.mjs"), folder]);
   const pack = ["pack", "--json", "--pack-destination", scratch];
   execFileSync("npm", pack, { cwd: folder, stdio: ["ignore", "ignore", "ignore"] });
   const manifest: Manifest = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));

@@ -1,7 +1,9 @@
 /** The package as it is published: packed, installed elsewhere, and asked for each of its entries. */
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
+import { createHash } from "node:crypto";
 import { cpSync, existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { gzipSync } from "node:zlib";
 import { checkPackage, createPackageFromTarballData } from "@arethetypeswrong/core";
 import { publint } from "publint";
 import { formatMessage } from "publint/utils";
@@ -51,6 +53,13 @@ describe("the packed package", () => {
     const wanted = [
       ...named.map((file) => file.slice(2)),
       "README.md",
+      "CHANGELOG.md",
+      "custom-elements.json",
+      "integrity.json",
+      "examples/Morph.tsx",
+      "examples/notebook.py",
+      "examples/page.html",
+      "examples/terminal.mjs",
       "LICENSE-MIT",
       "LICENSE-APACHE",
       "licenses.txt",
@@ -60,6 +69,48 @@ describe("the packed package", () => {
     // What others wrote is told in one place.
     const told = [...there].filter((file) => /licen[sc]e/i.test(file)).map((file) => file.slice(8));
     expect(told.sort()).toEqual(["LICENSE-APACHE", "LICENSE-MIT", "licenses.txt"]);
+  });
+
+  it("has what follows from its files: sizes and hashes in its README and examples", () => {
+    const of = (file: string) => readFileSync(join(app, "node_modules/frond-ifs", file));
+    const hash = (file: string) => `sha384-${createHash("sha384").update(of(file)).digest("base64")}`;
+    const readme = of("README.md").toString();
+    for (const file of ["README.md", "examples/notebook.py"]) expect(of(file).toString()).not.toContain("{{");
+    const size = gzipSync(of("frond-fit_bg.wasm"), { level: 9 }).length;
+    expect(readme).toMatch(new RegExp(`\\| .frond-ifs/fit. \\|[^|]*\\| ${Math.round(size / 1e3)} kB \\|`));
+    expect(readme).toContain(`integrity="${hash("frond-view.js")}"`);
+    expect(of("examples/notebook.py").toString()).toContain(hash("frond-view.js"));
+    const integrity = JSON.parse(of("integrity.json").toString());
+    expect(integrity["./frond.js"]).toBe(hash("frond.js"));
+    expect(integrity["./renderer.js"]).toBe(hash("renderer.js"));
+    // The map names each script that the entry imports at once.
+    const [, map = ""] = /<script type="importmap">([^<]*)</.exec(readme) ?? [];
+    const { imports, integrity: checked } = JSON.parse(map);
+    expect(checked[imports["frond-ifs/draw"]]).toBe(hash("frond.js"));
+    const next = [
+      ...of("frond.js")
+        .toString()
+        .matchAll(/from ['"]\.\/([^'"]+)/g),
+    ];
+    for (const [, file = ""] of next)
+      expect(checked[new URL(file, imports["frond-ifs/draw"]).href]).toBe(hash(file));
+  });
+
+  it("has examples that run", () => {
+    const examples = join(app, "node_modules/frond-ifs/examples");
+    const run = (...words: string[]) =>
+      spawnSync(process.execPath, [join(examples, "terminal.mjs"), ...words], { encoding: "utf8" });
+    const { stdout } = run("gasket");
+    expect(stdout).toMatch(/█.*\n/);
+    expect(stdout).toMatch(/: (?:touching|connected)\n$/);
+    expect(run("nothing")).toMatchObject({ status: 2, stderr: expect.stringContaining("gasket") });
+    const page = readFileSync(join(examples, "page.html"), "utf8");
+    const scripts = [...page.matchAll(/ src="([^"]+)"/g)].map(([, script = ""]) => join(examples, script));
+    expect(scripts.map((script) => existsSync(script))).toEqual([true]);
+    // All that the component imports is an entry, or React.
+    const component = readFileSync(join(examples, "Morph.tsx"), "utf8");
+    const asked = [...component.matchAll(/(?:from|import) "([^"]+)"/g)].map(([, name = ""]) => name);
+    expect(asked.filter((name) => !manifest.exports[name.replace("frond-ifs", ".")])).toEqual(["react"]);
   });
 
   it("can be imported at each entry in Node, also where there is nothing to draw on", () => {

@@ -44,6 +44,8 @@ Usage: cargo xtask <command>
       special headers. FROND_SITE is the address that it will have, such as https://example.org/frond/: with it
       pages that are sent unfold with their picture, and there is a sitemap. Write the JavaScript API as a package into target/package/frond, too:
       `npm install path/to/target/package/frond`, then `import init, { attractor } from \"frond-ifs\"`.
+      FROND_SITE becomes its `homepage`; FROND_REPOSITORY, such as https://github.com/name/frond, says where its
+      sources and issues are.
 
   test [name ..] [-- test ..]
       Run every check but the last, or those whose group or step has one of these names:

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::command::{Outcome, root, target};
+use crate::command::{Outcome, command, root, run, target};
 use crate::modules::packaged;
 use crate::stamp;
 
@@ -67,5 +67,7 @@ pub fn write() -> Outcome {
             fs::copy(path, package.join(file))?;
         }
     }
-    write_manifest(&package)
+    write_manifest(&package)?;
+    // What follows from its files: sizes, hashes, and what editors know of the element.
+    run(command("node").arg("www/build/package/finish.mjs").arg(&package))
 }

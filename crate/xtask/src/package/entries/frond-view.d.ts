@@ -38,43 +38,75 @@ export type Switch = boolean | "" | "true" | "false";
 export interface ViewAttributes {
   /** A link of Frond, or what stands behind its #. */
   src?: string | URL | null | undefined;
+  /** The shape at t = 0: the name of one in the gallery, or maps as JSON. */
   a?: Shape | null | undefined;
+  /** The shape at t = 1, written like `a`. */
   b?: Shape | null | undefined;
+  /** How the morph goes from `a` to `b`: `auto`, `straight`, or points such as `0.1,0.8; 0.4,1.2`. */
   path?: Path | null | undefined;
   /** The moment, 0 to 1. */
   t?: number | string | null | undefined;
-  /** From one end to the other, 0.5 to 600; 8 where nothing is said. */
+  /** How many seconds one way takes, 0.5 to 600. The default is 8. */
   seconds?: number | string | null | undefined;
+  /** Shows a slider and a button that plays. */
   controls?: Switch | null | undefined;
+  /** Plays at once, except for people who prefer reduced motion. */
   autoplay?: Switch | null | undefined;
+  /** Plays back and forth without end. */
   loop?: Switch | null | undefined;
-  /** Whether its verdict is shown on it. */
+  /** Says at rest whether the shape is in one piece. */
   verdict?: Switch | null | undefined;
+  /** Light or dark; `auto` follows the system. Without it the color-scheme of the page decides. */
   theme?: "light" | "dark" | "auto" | (string & {}) | null | undefined;
   /** A picture that is shown until its own is there. */
   poster?: string | null | undefined;
-  /** What it is called for who does not see it. */
+  /** What screen readers say of it. */
   label?: string | null | undefined;
   /** The folder of the studio's embed.html, which shows the rest in a frame. */
   studio?: string | URL | null | undefined;
+  /** The tool of the studio that shows the link in `src`, in a frame. */
   tool?: "morph" | "deform" | "fit" | "space" | (string & {}) | null | undefined;
+  /** Shows the map of the parameters beside the picture, in a frame of the studio. */
   locus?: Switch | null | undefined;
+  /** Shows the panel of the tool, in a frame of the studio. */
   panel?: Switch | null | undefined;
 }
 
 /** The events and what their `detail` is. */
 export interface ViewEvents {
+  /** The first picture is there. */
   ready: CustomEvent<{ t: number }>;
+  /** The moment changed, or it began or stopped to play. */
   change: CustomEvent<{ t: number; playing: boolean }>;
+  /** It decided whether the shape holds together at this moment. */
   verdict: CustomEvent<Told>;
+  /** Something could not be shown, or a value means nothing. */
   error: CustomEvent<Trouble>;
 }
 
-/** A morph, or whatever else the studio shows. */
+/**
+ * A morph between two shapes, a single shape, or a link of the studio.
+ *
+ * @cssproperty [--frond-background] - The colour behind the picture.
+ * @cssproperty [--frond-ink] - The colour of words and signs.
+ * @cssproperty [--frond-accent] - The colour of the slider.
+ * @cssproperty [--frond-radius=0.5rem] - The radius of the corners.
+ * @cssproperty [--frond-palette] - The colours of the maps, `#rrggbb`, with spaces or commas between them.
+ * @csspart all - All of it.
+ * @csspart stage - What holds the picture and the words over it.
+ * @csspart picture - The canvas.
+ * @csspart poster - The image until the first picture is there.
+ * @csspart message - What it says when there is nothing to show.
+ * @csspart verdict - Whether the shape is in one piece.
+ * @csspart controls - The row below the picture.
+ * @csspart play - The button that plays and pauses.
+ * @csspart slider - The slider of the moment.
+ * @csspart frame - The frame of the studio, where `src` needs one.
+ */
 export class FrondView extends HTMLElement {
   /**
-   * Where the module is that decides and proves, if not beside the element: the address of `frond-proof_bg.wasm`, or its
-   * bytes, both of the same version. For notebooks and other places where a module cannot bring files along.
+   * Where the module is that decides and proves, if not beside the element: the address of `frond-proof_bg.wasm`, or
+   * its bytes, both of the same version. For notebooks and other places where a module cannot bring files along.
    */
   static get proof(): string | URL | BufferSource | WebAssembly.Module | null;
   static set proof(source: string | URL | BufferSource | WebAssembly.Module | null);
@@ -114,10 +146,13 @@ export class FrondView extends HTMLElement {
   get panel(): boolean;
   set panel(on: ViewAttributes["panel"]);
 
+  /** Whether it plays now. */
   readonly playing: boolean;
   /** To a moment, 0 to 1; what plays stops. */
   seek(t: number): void;
+  /** Plays from where it is. */
   play(): void;
+  /** Stops where it is. */
   pause(): void;
   /**
    * Whether it holds together at this moment. Rejects with a `FrondError`. Frameworks write the attribute of this name
