@@ -76,7 +76,7 @@ describe("the pages of the site", () => {
       const all = files(site);
       // What the rest of the build makes.
       const programs = Object.keys(PROGRAMS).map((name) => `elsewhere/${name}.js`);
-      const built = ["", "index.html", "embed.html", "frond-view.js", ...programs];
+      const built = ["", "index.html", "embed.html", "frond-view.js", "api/api.js", ...programs];
       const names = new Set([...all.map(({ fileName }) => fileName), ...built]);
       for (const { fileName, source } of all) {
         if (!fileName.endsWith(".html") || fileName === "404.html") continue;

@@ -5,7 +5,7 @@
 import { policyOf } from "./policy.ts";
 
 /** The folders of the site: what stands before one of them in an address is the studio's. */
-const FOLDERS = ["shape", "figure", "figures", "assets", "elsewhere"];
+const FOLDERS = ["shape", "figure", "figures", "assets", "elsewhere", "api"];
 
 const STYLE =
   "body{max-width:40rem;margin:0 auto;padding:3rem 1.5rem;background:Canvas;color:CanvasText;font:1rem/1.5 system-ui,sans-serif}" +

@@ -5,6 +5,7 @@
  */
 import type { MapRow } from "../../crate/web/src/api";
 import { escaped, folderAddress } from "../src/format/html.ts";
+import { API_STYLE, apiPages } from "./api/pages.ts";
 import { ways } from "./elsewhere/ways.ts";
 import { figurePictures } from "./figure-pictures.ts";
 import { listedFigures } from "./figures.ts";
@@ -89,7 +90,14 @@ function viewPage(described: Described, site: string, view: string, fragment: st
   );
 }
 
-function page(described: Described, site: string, content: string): string {
+/** What a page has besides its content: the element, unless it is said otherwise. */
+interface Has {
+  script: string;
+  style: string;
+}
+const ELEMENT: Has = { script: "frond-view.js", style: "" };
+
+function page(described: Described, site: string, content: string, has = ELEMENT): string {
   const { title, about, path } = described;
   const up = "../".repeat(path.split("/").length - 1) || "./";
   const html = `<!doctype html>
@@ -102,8 +110,8 @@ function page(described: Described, site: string, content: string): string {
     <meta name="description" content="${escaped(about)}" />
     <link rel="icon" href="${up}icon-192.png" />
     ${tags(described, site)}
-    <style>${STYLE}</style>
-    <script type="module" src="${up}frond-view.js"></script>
+    <style>${STYLE}${has.style}</style>
+    <script type="module" src="${up}${has.script}"></script>
   </head>
   <body>
     <main>
@@ -168,8 +176,12 @@ export function sitePages(site: string, drawing: Drawer): SiteFile[] {
     about: "Frond on pages, in blogs, slides, notebooks and programs: each way with the lines that it takes.",
     picture: "frond.png",
   };
+  const all = '<p><a href="./api/index.html">All functions of the package, with samples</a></p>';
   const out = '<p><a href="./index.html">Open the studio</a></p>';
-  files.push({ fileName: elsewhere.path, source: page(elsewhere, site, `${ways(site)}\n      ${out}`) });
+  files.push({
+    fileName: elsewhere.path,
+    source: page(elsewhere, site, `${ways(site)}\n      ${all}\n      ${out}`),
+  });
   described.push(elsewhere);
   const proofs = {
     path: "theorems.html",
@@ -179,6 +191,16 @@ export function sitePages(site: string, drawing: Drawer): SiteFile[] {
   };
   files.push({ fileName: proofs.path, source: page(proofs, site, `${theorems()}\n      ${out}`) });
   described.push(proofs);
+  for (const { content, ...rest } of apiPages()) {
+    const functions = { ...rest, picture: "frond.png" };
+    const studio = `<p><a href="../elsewhere.html">Use it elsewhere</a> · <a href="../index.html">Open the studio</a></p>`;
+    const source = page(functions, site, `${content}\n      ${studio}`, {
+      script: "api/api.js",
+      style: API_STYLE,
+    });
+    files.push({ fileName: rest.path, source });
+    described.push(functions);
+  }
   if (site !== "") {
     const urls = ["", ...described.map(({ path }) => path)].map(
       (path) => `<url><loc>${escaped(site + path)}</loc></url>`,

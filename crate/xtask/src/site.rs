@@ -16,6 +16,7 @@ pub fn build(steps: &mut Steps) -> Outcome {
         run(&mut Tool::Vite.command("build --logLevel warn"))?;
         run(&mut Tool::Vite.command("build --config www/build/element.config.ts --logLevel warn"))?;
         run(&mut Tool::Vite.command("build --config www/build/elsewhere/config.ts --logLevel warn"))?;
+        run(&mut Tool::Vite.command("build --config www/build/api/config.ts --logLevel warn"))?;
         run(&mut Tool::Vite.command("build --config www/build/offline.config.ts --logLevel warn"))?;
         run(&mut Tool::Vite.command("build --config www/build/package.config.ts --logLevel warn"))?;
         run(&mut Tool::Vite.command("build --config www/build/view.config.ts --logLevel warn"))?;
