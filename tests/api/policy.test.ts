@@ -15,8 +15,8 @@ it.each(["index.html", "embed.html"])("%s lets nothing in from elsewhere, and ru
     expect(source).toMatch(/^('none'|'self'|'wasm-unsafe-eval'|'sha256-[\w+/]{43}='|data:|blob:)$/);
   }
   expect(policy.startsWith("default-src 'none'; ")).toBe(true);
-  // Pictures alone may be written in an address. The page makes those itself, and workers where a sandbox allows none by
-  // address.
+  // Pictures alone may be written in an address. The page makes those itself, and workers where a sandbox allows none
+  // by address.
   for (const directive of policy.split("; ")) {
     if (directive.includes(" data:")) expect(directive).toMatch(/^img-src /);
     if (directive.includes(" blob:")) expect(directive).toMatch(/^(img|media|worker)-src /);

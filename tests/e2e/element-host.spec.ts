@@ -82,7 +82,7 @@ test("takes what frameworks write, and tells once what means nothing", async ({ 
     const view = document.getElementById("wrong") as Properties;
     for (let i = 0; i < 3; i++) Object.assign(view, { t: "soon", theme: "blue", seconds: "long" });
     await null;
-    const other = document.createElement("frond-view") as Properties;
+    const other = document.createElement("frond-view") as HTMLElement as Properties;
     const written: Record<string, unknown> = {};
     for (const [name, values] of Object.entries({
       t: [0.25, "0.5", null],

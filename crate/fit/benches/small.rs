@@ -1,9 +1,9 @@
-//! What small fits come to, and how long they take: outlines of few corners, grown leaves with few numbers, a photograph
-//! of two million pixels, and the outlines (.csv) of the folder named in `FROND_LEAVES`:
+//! What small fits come to, and how long they take: outlines of few corners, grown leaves with few numbers, a
+//! photograph of two million pixels, and the outlines (.csv) of the folder named in `FROND_LEAVES`:
 //! `FROND_LEAVES=.. cargo bench -p frond-fit --bench small -- [name ..]`.
 //!
-//! A row: the outline and its points, what was asked for, seconds of processor time, steps, and errors in percent of the
-//! diagonal.
+//! A row: the outline and its points, what was asked for, seconds of processor time, steps, and errors in percent of
+//! the diagonal.
 
 use frond_fit::{
     Fitter, MaskOptions, Outline, SplineFitter, Tracer, fidelity, island, maple_leaf, oak_leaf, sugar_maple,

@@ -1,6 +1,6 @@
 /**
- * Workers that take jobs in turn. One does nothing but draw, so that no question keeps a picture waiting. What has shown
- * nothing yet is drawn by all of them, before anything else.
+ * Workers that take jobs in turn. One does nothing but draw, so that no question keeps a picture waiting. What has
+ * shown nothing yet is drawn by all of them, before anything else.
  */
 
 // The program of a worker as a text, which the build packs into the script.

@@ -33,8 +33,8 @@ const COARSE_SHARE: f64 = 0.005;
 /// The grid of documents is doubled so many times at most.
 const MOST_DOUBLINGS: i32 = 10;
 
-/// A fit that is no farther than this, in percent of the diagonal, cannot be told from its outline: documents keep knots
-/// to a thousandth of a percent.
+/// A fit that is no farther than this, in percent of the diagonal, cannot be told from its outline: documents keep
+/// knots to a thousandth of a percent.
 const EXACT_RMS: f64 = 1e-3;
 const EXACT_HAUSDORFF: f64 = 5e-3;
 

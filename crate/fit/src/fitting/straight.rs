@@ -19,8 +19,8 @@ const FOLLOWED: (usize, usize) = (1000, 20);
 /// A root mean square that no document keeps, in parts of the diagonal.
 const EXACT: f64 = 1e-6;
 
-/// The distance of the outline's points from the curve counts: that is what is measured. Beyond a reach, in parts of the
-/// diagonal, the curve's own counts, too: else a corner that no point of the outline sees may go anywhere.
+/// The distance of the outline's points from the curve counts: that is what is measured. Beyond a reach, in parts of
+/// the diagonal, the curve's own counts, too: else a corner that no point of the outline sees may go anywhere.
 const TIES: Ties = Ties { back: 0.0, beyond: 1.0, far: 0.0, reach: 0.0 };
 const REACH: f64 = 0.25;
 

@@ -22,8 +22,8 @@ pub struct Contest {
 }
 
 impl Contest {
-    /// An outline of more than [`MAX_PREPARED`] points is measured at so many places along it, at half as many where its
-    /// corners are few.
+    /// An outline of more than [`MAX_PREPARED`] points is measured at so many places along it, at half as many where
+    /// its corners are few.
     pub fn new(outline: &Outline, budget: usize) -> Self {
         let outline = if outline.points().len() <= MAX_PREPARED {
             outline.clone()
