@@ -12,9 +12,9 @@ const start = () =>
 
 function spawn() {
   try {
-    return start();
+    // First of all: where the page requires it, each attempt without is an error in its console.
+    return globalThis.trustedTypes ? startTrusted() : start();
   } catch (problem) {
-    if (problem?.name === "TypeError" && globalThis.trustedTypes) return startTrusted();
     if (problem?.name !== "SecurityError") throw problem;
     // A page of another origin may import the script, but not start a worker from it.
     const script = new URL("./pool-worker.js", here).href;
@@ -27,8 +27,19 @@ let policy;
 
 /** Under `require-trusted-types-for 'script'` the page lets in the policy `frond-pool`. */
 function trusted(address) {
-  policy ??= globalThis.trustedTypes?.createPolicy("frond-pool", { createScriptURL: (script) => script });
-  return policy?.createScriptURL(address) ?? address;
+  policy ??= made();
+  return policy ? policy.createScriptURL(address) : address;
+}
+
+/** Null where there are none, and where the page refuses the name: it may take addresses all the same. */
+function made() {
+  try {
+    return (
+      globalThis.trustedTypes?.createPolicy("frond-pool", { createScriptURL: (script) => script }) ?? null
+    );
+  } catch {
+    return null;
+  }
 }
 
 /** Only a bundler knows the address of the worker: it is taken on its way to the browser, for as long as one call. */
