@@ -9,7 +9,7 @@ use std::thread;
 
 use crate::browser;
 use crate::circles;
-use crate::command::{Outcome, Run, cargo, cargo_wasm, run, run_behind, run_beside, target};
+use crate::command::{Outcome, Run, cargo, cargo_wasm, command, run, run_behind, run_beside, target};
 use crate::folders;
 use crate::modules::MODULES;
 use crate::node::{self, Tool};
@@ -158,6 +158,13 @@ const CHECKS: &[Check] = &[
         what: "what this machine's own graphics card draws and decides, natively; only when named",
         set_up: nothing,
         work: Work::All(card),
+    },
+    Check {
+        group: ON_DEMAND,
+        name: "hosts",
+        what: "the package in other people's programs, from the registry; only when named",
+        set_up: e2e,
+        work: Work::Named(hosts),
     },
 ];
 
@@ -421,6 +428,15 @@ fn play(project: &str, names: &[String]) -> Outcome {
         .env("FROND_PORT", free_port()?.to_string())
         .env("FROND_FAILED", &failed))
     .map_err(|problem| format!("{problem}\n{}", fs::read_to_string(&failed).unwrap_or_default()).into())
+}
+
+/// The programs of tests/hosts, or those that are named. They come from the registry.
+fn hosts(names: &[String]) -> Outcome {
+    run(command("node")
+        .arg("tests/hosts/run.mjs")
+        .args(names)
+        .env("FROND_CHROMIUM", browser::chromium()?)
+        .env("FROND_PACKAGE", target().join("package/frond")))
 }
 
 /// A port that nothing listens on, so that no other server is tested by mistake.

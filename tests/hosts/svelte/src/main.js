@@ -1,0 +1,4 @@
+import { mount } from "svelte";
+import Morph from "./Morph.svelte";
+
+mount(Morph, { target: document.getElementById("root"), props: { t: 0.4 } });
