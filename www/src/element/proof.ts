@@ -67,10 +67,17 @@ function isSource(value: unknown): value is ProofSource {
   );
 }
 
+/** Chrome compiles no DataView, which is what notebooks give. */
+function bytesOf(source: BufferSource): BufferSource {
+  return ArrayBuffer.isView(source)
+    ? new Uint8Array(source.buffer, source.byteOffset, source.byteLength)
+    : source;
+}
+
 async function fromSource(source: ProofSource): Promise<Proof> {
   if (source instanceof WebAssembly.Module) return { module: source };
   if (typeof source !== "string" && !(source instanceof URL))
-    return { module: await WebAssembly.compile(source) };
+    return { module: await WebAssembly.compile(bytesOf(source)) };
   const address = new URL(source, document.baseURI);
   // Bundlers name files anew, so that all that is no module is taken for one that is compiled.
   if (/\.m?js$/.test(address.pathname)) return { script: address.href };
