@@ -69,6 +69,7 @@ export const HOSTS = {
     after: drawn,
   },
   reveal: { programs: ["reveal.js"], serves: ".", studio: true, also: slides, expected: ADAPTERS },
+  notebook: { serves: "." },
   policy: {
     serves: ".",
     headers: {
