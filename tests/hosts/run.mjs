@@ -31,6 +31,7 @@ if (!existsSync(join(built, "frond-view.module.js"))) {
 }
 
 const scratch = mkdtempSync(join(tmpdir(), "frond-hosts-"));
+process.on("exit", () => rmSync(scratch, { recursive: true, force: true, maxRetries: 3 }));
 const found = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
 const browser = await chromium.launch({
   executablePath: process.env["FROND_CHROMIUM"] ?? found,
@@ -65,7 +66,6 @@ try {
     }
 } finally {
   await browser.close();
-  rmSync(scratch, { recursive: true, force: true });
 }
 if (failed.length > 0) {
   console.error(`\nFailed: ${failed.join(", ")}. Alone: cargo xtask test hosts -- ${failed.join(" ")}`);

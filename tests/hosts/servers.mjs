@@ -24,6 +24,13 @@ const ENVIRONMENT = {
 /** A dev server that has not answered by then never will. */
 const TRIES = 600;
 
+/** What runs, each in a group of its own; none outlives this program, however that ends. */
+const running = new Set();
+process.on("exit", () => {
+  for (const { stop } of running) stop();
+});
+for (const signal of ["SIGINT", "SIGTERM"]) process.on(signal, () => process.exit(130));
+
 /** Starts a program, with what it prints and a way to end it and all that it has started. */
 export function start(program, words, cwd) {
   const child = spawn(program, words, {
@@ -39,26 +46,33 @@ export function start(program, words, cwd) {
     child.on("error", reject);
     child.on("close", (code) => {
       over = true;
+      running.delete(started);
       resolve(code);
     });
   });
-  return {
+  const started = {
     ended,
     over: () => over,
     output: () => Buffer.concat(printed).toString(),
     stop: () => {
-      if (!over) process.kill(-child.pid, "SIGTERM");
+      try {
+        if (!over && child.pid) process.kill(-child.pid, "SIGTERM");
+      } catch {
+        // It has ended since.
+      }
     },
   };
+  running.add(started);
+  return started;
 }
 
 /** What a program prints that ends by itself. */
 export async function run(program, words, cwd) {
-  const running = start(program, words, cwd);
-  const code = await running.ended;
+  const started = start(program, words, cwd);
+  const code = await started.ended;
   if (code !== 0)
-    throw new Error(`\`${[program, ...words].join(" ")}\` ends with ${code}:\n${running.output()}`);
-  return running.output();
+    throw new Error(`\`${[program, ...words].join(" ")}\` ends with ${code}:\n${started.output()}`);
+  return started.output();
 }
 
 export async function reached(address, server) {
