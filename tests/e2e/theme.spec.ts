@@ -44,6 +44,8 @@ test("a link brings its ground along where that is wanted, into the page, a fram
   await expect(address).not.toHaveValue(/theme=/);
   await sheet.getByRole("radio", { name: "Dark, as here" }).check();
   await expect(address).toHaveValue(/[?&]theme=dark#/);
+  // "As here" goes with the page, which is light below.
+  const link = await address.inputValue();
   await page.evaluate(() => {
     const texts: string[] = [];
     Object.assign(globalThis, { texts });
@@ -61,7 +63,7 @@ test("a link brings its ground along where that is wanted, into the page, a fram
   expect(element).toContain(' theme="dark" style="max-width:640px;aspect-ratio:640/400"');
 
   await page.emulateMedia({ colorScheme: "light" });
-  await page.goto(await address.inputValue());
+  await page.goto(link);
   await studio.drawn();
   expect((await studio.look()).colours.slice(0, 3).sort()).toEqual(palette("dark").slice(0, 3).sort());
   await page.goto("about:blank");
