@@ -1,11 +1,10 @@
 // The entry for Node, whose fetch() opens no files: without an argument, the modules are read from the folder above.
-import { readFile } from "node:fs/promises";
-import { fileURLToPath } from "node:url";
 import load from "../index.js";
+import { read } from "./read.js";
 
 export * from "../index.js";
 
-const above = (name) => readFile(fileURLToPath(new URL(`../${name}`, import.meta.url)));
+const above = (name) => read(new URL(`../${name}`, import.meta.url), name);
 
 export default async function init({ frond, curve, proof } = {}) {
   await load({
