@@ -40,7 +40,7 @@ export function missingPage(site: string): string {
   <body>
     <main>
       <h1>There is no page at this address</h1>
-      <p>It may have lost its end, or the page was moved. A morph is in what stands behind the # of its link: that it needs, too.</p>
+      <p>It may have lost its end, or the page was moved. A link to a morph needs what stands behind its #.</p>
       <p><a href="${site || "./"}">Open the studio</a></p>
     </main>
     <script>${script}</script>
