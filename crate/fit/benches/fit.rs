@@ -9,6 +9,7 @@ use frond_fit::{
     ClosedCurve, Fitter, Outline, Stage, bezier, crossings, fidelity, fourier, island,
     least_squares_polyline, maple_leaf, oak_leaf, split_polyline,
 };
+use frond_testing::processor_seconds;
 use glam::DVec2;
 
 struct Options {
@@ -35,33 +36,13 @@ fn main() {
             .into_iter()
             .map(|(name, points)| (name.to_owned(), points))
             .collect::<Vec<_>>();
-    if let Some(folder) = std::env::var_os("FROND_LEAVES") {
-        let entries = std::fs::read_dir(folder).expect("a folder");
-        let mut files: Vec<_> = entries.map(|entry| entry.expect("a file").path()).collect();
-        files.sort();
-        for path in files.iter().filter(|path| path.extension().is_some_and(|e| e == "csv")) {
-            let text = std::fs::read_to_string(path).expect("text");
-            let pair =
-                |(x, y): (&str, &str)| Some(DVec2::new(x.trim().parse().ok()?, y.trim().parse().ok()?));
-            let points = text.lines().filter_map(|line| line.split_once(',')).filter_map(pair).collect();
-            let name = path.file_stem().and_then(|s| s.to_str()).unwrap_or_default();
-            outlines.push((name.to_owned(), points));
-        }
-    } else {
-        println!("FROND_LEAVES names no folder of further outlines");
-    }
+    let plane = |points: Vec<[f64; 2]>| points.into_iter().map(DVec2::from).collect();
+    outlines.extend(frond_testing::leaves().into_iter().map(|(name, points)| (name, plane(points))));
     for (name, points) in outlines {
         if options.names.is_empty() || options.names.iter().any(|wanted| name.contains(wanted)) {
             measure(&name, &points, &options);
         }
     }
-}
-
-/// Seconds of processor time of this process, where the system tells them; they do not depend on what else runs.
-fn seconds() -> f64 {
-    let told = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
-    let nanoseconds = told.split_whitespace().next().and_then(|n| n.parse::<f64>().ok());
-    nanoseconds.map_or(f64::NAN, |n| n * 1e-9)
 }
 
 fn report(outline: &Outline, name: &str, fit: &[DVec2], seconds: f64) {
@@ -99,9 +80,9 @@ fn measure(name: &str, points: &[DVec2], options: &Options) {
         ("Fourier", &|| fourier(&outline, numbers, size)),
     ] {
         if !options.only {
-            let start = seconds();
+            let start = processor_seconds();
             let fit = make();
-            report(&outline, name, &fit, seconds() - start);
+            report(&outline, name, &fit, processor_seconds() - start);
         }
     }
     for turn in 0..options.turns {
@@ -115,25 +96,25 @@ fn measure(name: &str, points: &[DVec2], options: &Options) {
 fn fit(outline: &Outline, clean: &Outline, options: &Options) {
     let diagonal = outline.diagonal();
     let line = |curve: &ClosedCurve| curve.polyline(1e-4 * diagonal, 12);
-    let start = seconds();
+    let start = processor_seconds();
     let Ok(mut fitter) = Fitter::new(outline, options.numbers) else { return };
     let mut slowest: f64 = 0.0;
     let mut stage = Stage::Straight;
     while !fitter.is_done() {
-        let before = seconds();
+        let before = processor_seconds();
         let progress = fitter.step();
-        slowest = slowest.max(seconds() - before);
+        slowest = slowest.max(processor_seconds() - before);
         if progress.stage != stage {
             let curve = &fitter.best().curve;
             let (knots, copies) = (curve.knots.len(), curve.copies());
             let name = format!("{:?}: {knots} + {copies}", progress.stage);
             if options.turns == 1 {
-                report(outline, &name, &line(curve), seconds() - start);
+                report(outline, &name, &line(curve), processor_seconds() - start);
             }
             stage = progress.stage;
         }
     }
-    let took = seconds() - start;
+    let took = processor_seconds() - start;
     let curve = &fitter.best().curve;
     let name = format!("fractal, {} + {}", curve.knots.len(), curve.copies());
     report(outline, &name, &line(curve), took);

@@ -5,14 +5,8 @@
 mod plain;
 
 use frond_fit::{Features, FirstPass, FractalFunction, HoughOptions, SecondPass};
+use frond_testing::processor_seconds;
 use glam::DVec2;
-
-/// Seconds of processor time of this process, where the system tells them; they do not depend on what else runs.
-fn seconds() -> f64 {
-    let told = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
-    let nanoseconds = told.split_whitespace().next().and_then(|n| n.parse::<f64>().ok());
-    nanoseconds.map_or(f64::NAN, |n| n * 1e-9)
-}
 
 fn main() {
     let maps = [[0.5, 0.746, 0.5, -0.5, 0.246], [0.5, -0.199, -0.6, 0.5, 0.189]];
@@ -25,34 +19,34 @@ fn main() {
     });
     // All candidates, clutter with them: that is what the paper counts.
     let options = HoughOptions { reflected: false, least_a: 0.0, ..HoughOptions::default() };
-    let start = seconds();
+    let start = processor_seconds();
     // One width in the middle; all of them take minutes.
     let votes = plain::count(&coarse, &fine, options, 20..21).votes;
-    let plain = (seconds() - start) / votes as f64;
+    let plain = (processor_seconds() - start) / votes as f64;
     println!("plain loop   {:.2} ns a vote, {votes} votes", 1e9 * plain);
 
     let [coarse, fine] = [coarse, fine].map(|points| Features::new(&points).expect("features"));
     for reflected in [false, true] {
         let options = HoughOptions { reflected, ..options };
-        let start = seconds();
+        let start = processor_seconds();
         let mut first = FirstPass::new(&coarse, &fine, options, (0, 1));
         let mut votes = 0;
         while !first.is_done() {
             votes = first.step().votes;
         }
-        let time = seconds() - start;
+        let time = processor_seconds() - start;
         let fast = time / votes as f64;
         println!(
             "first pass   {:.2} ns a vote, {votes} votes, {time:.2} s on one core: {:.1} times as fast",
             1e9 * fast,
             plain / fast
         );
-        let start = seconds();
+        let start = processor_seconds();
         let mut second = SecondPass::new(&coarse, &fine, options, &first.promising(), (0, 1));
         while !second.is_done() {
             second.step();
         }
         let clusters = second.clusters();
-        println!("second pass  {:.2} s; best: {:?}", seconds() - start, clusters.first());
+        println!("second pass  {:.2} s; best: {:?}", processor_seconds() - start, clusters.first());
     }
 }

@@ -9,6 +9,7 @@ use frond_fit::{
     Fitter, MaskOptions, Outline, SplineFitter, Tracer, fidelity, island, maple_leaf, oak_leaf, sugar_maple,
     white_oak,
 };
+use frond_testing::processor_seconds;
 use glam::DVec2;
 
 /// How many numbers outlines of many points are fitted with.
@@ -82,40 +83,21 @@ fn leaves() -> Vec<(String, Vec<DVec2>)> {
     ];
     let mut all: Vec<(String, Vec<DVec2>)> =
         grown.into_iter().map(|(name, points)| (name.to_owned(), points)).collect();
-    if let Some(folder) = std::env::var_os("FROND_LEAVES") {
-        let entries = std::fs::read_dir(folder).expect("a folder");
-        let mut files: Vec<_> = entries.map(|entry| entry.expect("a file").path()).collect();
-        files.sort();
-        for path in files.iter().filter(|path| path.extension().is_some_and(|e| e == "csv")) {
-            let text = std::fs::read_to_string(path).expect("text");
-            let pair =
-                |(x, y): (&str, &str)| Some(DVec2::new(x.trim().parse().ok()?, y.trim().parse().ok()?));
-            let points: Vec<_> =
-                text.lines().filter_map(|line| line.split_once(',')).filter_map(pair).collect();
-            let name = path.file_stem().and_then(|s| s.to_str()).unwrap_or_default();
-            all.push((name.to_owned(), points));
-        }
-    }
+    let plane = |points: Vec<[f64; 2]>| points.into_iter().map(DVec2::from).collect();
+    all.extend(frond_testing::leaves().into_iter().map(|(name, points)| (name, plane(points))));
     all
-}
-
-/// Seconds of processor time of this process, where the system tells them; they do not depend on what else runs.
-fn seconds() -> f64 {
-    let told = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
-    let nanoseconds = told.split_whitespace().next().and_then(|n| n.parse::<f64>().ok());
-    nanoseconds.map_or(f64::NAN, |n| n * 1e-9)
 }
 
 fn by_numbers(name: &str, points: &[DVec2], numbers: usize) {
     let Ok(outline) = Outline::new(points) else { return };
-    let start = seconds();
+    let start = processor_seconds();
     let Ok(mut fitter) = Fitter::new(&outline, numbers) else { return };
     let mut steps = 0;
     while !fitter.is_done() {
         fitter.step();
         steps += 1;
     }
-    let took = seconds() - start;
+    let took = processor_seconds() - start;
     let curve = &fitter.best().curve;
     let line = curve.polyline(1e-4 * outline.diagonal(), 12);
     report(name, &outline, &format!("{numbers} numbers: {}", curve.numbers()), (took, steps), &line);
@@ -123,14 +105,14 @@ fn by_numbers(name: &str, points: &[DVec2], numbers: usize) {
 
 fn by_bytes(name: &str, points: &[DVec2], bytes: usize) {
     let Ok(outline) = Outline::new(points) else { return };
-    let start = seconds();
+    let start = processor_seconds();
     let mut fitter = SplineFitter::new(&outline, bytes);
     let mut steps = 0;
     while !fitter.is_done() {
         fitter.step();
         steps += 1;
     }
-    let took = seconds() - start;
+    let took = processor_seconds() - start;
     match fitter.best() {
         Some(fit) => {
             let asked = format!("{bytes} bytes: {}, {} nodes", fit.bytes.len(), fit.spline.nodes.len());
@@ -154,13 +136,13 @@ fn report(name: &str, outline: &Outline, asked: &str, (took, steps): (f64, usize
 fn photograph() {
     let (width, height) = PHOTOGRAPH;
     let rgba = painted(&sugar_maple(1), width, height);
-    let start = seconds();
+    let start = processor_seconds();
     let Ok(tracer) = Tracer::new(width, height, &rgba) else { return };
-    let looked = seconds() - start;
+    let looked = processor_seconds() - start;
     let mask = tracer.mask(&MaskOptions::default());
-    let masked = seconds() - start;
+    let masked = processor_seconds() - start;
     let Ok(traced) = tracer.outline(&mask, 0) else { return };
-    let took = seconds() - start;
+    let took = processor_seconds() - start;
     println!(
         "photograph of {width} x {height}: looked at {looked:.3} s, mask {:.3} s, outline {:.3} s, {} points",
         masked - looked,

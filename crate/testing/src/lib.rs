@@ -1,4 +1,5 @@
-//! What the tests and benches of the other crates share: how many examples they try, and how they take time.
+//! What the tests and benches of the other crates share: how many examples they try, which outlines, and how they take
+//! time.
 //!
 //! Every run of the tests tries few, so that it is quick; `cargo xtask test deep` tries [many times](VARIABLE) as many.
 
@@ -29,6 +30,34 @@ pub fn least_time(runs: usize, mut run: impl FnMut()) -> f64 {
         start.elapsed().as_secs_f64()
     };
     std::iter::repeat_n((), runs).map(time).fold(f64::INFINITY, f64::min)
+}
+
+/// Seconds of processor time of this process, where the system tells them; they do not depend on what else runs.
+pub fn processor_seconds() -> f64 {
+    let told = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
+    let nanoseconds = told.split_whitespace().next().and_then(|n| n.parse::<f64>().ok());
+    nanoseconds.map_or(f64::NAN, |n| n * 1e-9)
+}
+
+/// The outlines of the folder that `FROND_LEAVES` names, by their names: files .csv, a point x, y a line. None where it
+/// is not set.
+///
+/// # Panics
+/// Where the folder or a file in it cannot be read.
+pub fn leaves() -> Vec<(String, Vec<[f64; 2]>)> {
+    let Some(folder) = std::env::var_os("FROND_LEAVES") else { return Vec::new() };
+    let entries = std::fs::read_dir(folder).expect("a folder");
+    let mut files: Vec<_> = entries.map(|entry| entry.expect("a file").path()).collect();
+    files.retain(|path| path.extension().is_some_and(|end| end == "csv"));
+    files.sort();
+    let number = |word: &str| word.trim().parse().ok();
+    let read = |path: std::path::PathBuf| {
+        let text = std::fs::read_to_string(&path).expect("text");
+        let points = text.lines().filter_map(|line| line.split_once(','));
+        let points = points.filter_map(|(x, y)| Some([number(x)?, number(y)?])).collect();
+        (path.file_stem().and_then(|name| name.to_str()).unwrap_or_default().to_owned(), points)
+    };
+    files.into_iter().map(read).collect()
 }
 
 #[cfg(test)]

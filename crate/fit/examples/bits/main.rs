@@ -24,18 +24,8 @@ fn main() {
             .into_iter()
             .map(|(name, points)| (name.to_owned(), points))
             .collect::<Vec<_>>();
-    if let Some(folder) = std::env::var_os("FROND_LEAVES") {
-        let entries = std::fs::read_dir(folder).expect("a folder");
-        let mut files: Vec<_> = entries.map(|entry| entry.expect("a file").path()).collect();
-        files.sort();
-        for path in files.iter().filter(|path| path.extension().is_some_and(|e| e == "csv")) {
-            let text = std::fs::read_to_string(path).expect("text");
-            let pair =
-                |(x, y): (&str, &str)| Some(DVec2::new(x.trim().parse().ok()?, y.trim().parse().ok()?));
-            let points = text.lines().filter_map(|line| line.split_once(',')).filter_map(pair).collect();
-            outlines.push((path.file_stem().and_then(|s| s.to_str()).unwrap_or_default().to_owned(), points));
-        }
-    }
+    let plane = |points: Vec<[f64; 2]>| points.into_iter().map(DVec2::from).collect();
+    outlines.extend(frond_testing::leaves().into_iter().map(|(name, points)| (name, plane(points))));
     for (name, points) in outlines {
         if !names.is_empty() && !names.iter().any(|wanted| name.contains(wanted)) {
             continue;
