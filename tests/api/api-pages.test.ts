@@ -82,11 +82,12 @@ it("read declarations with braces, strings and comments in them", () => {
     ["f", "function", "Says `x`."],
     ["Point", "class", ""],
   ]);
+  expect(found[0]?.code).toMatch(/"c" };$/);
   expect(found[1]?.code).toBe("function f(x: { y: number; }, g: () => void): { z: string };");
   expect(found[2]?.members.map(({ name, about }) => [name, about])).toEqual([
     ["far", "How far."],
     ["name", "Its name."],
   ]);
   expect(found[2]?.members[1]?.code).toBe("get name(): string;\nset name(text: string);");
-  expect(() => declarations("export interface X {")).toThrow("does not end");
+  expect(() => declarations("export interface X {")).toThrow("cannot be read");
 });

@@ -1,4 +1,6 @@
 /** Reads the declarations that wasm-bindgen writes: what is exported, and where in the text its types stand. */
+import type { ESTree } from "vite";
+import { type Exported, exportedIn } from "../declared.ts";
 
 /** A type, as values are compared with it. */
 export type Schema =
@@ -61,216 +63,71 @@ export interface Declarations {
   classes: Class[];
 }
 
-interface Token extends Span {
-  text: string;
-  /** Where the comment before it begins, or the token itself. */
-  from: number;
-}
-
-const TOKEN = /\s+|\/\*[\s\S]*?\*\/|\/\/[^\n]*|"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'|[\w$]+|=>|[\s\S]/g;
-
-function tokens(text: string): Token[] {
-  const found: Token[] = [];
-  let comment = -1;
-  for (const { 0: part, index } of text.matchAll(TOKEN)) {
-    if (part.startsWith("/*")) comment = index;
-    else if (!part.startsWith("//") && part.trim() !== "") {
-      found.push({ text: part, start: index, end: index + part.length, from: comment < 0 ? index : comment });
-      comment = -1;
-    }
-  }
-  return found;
-}
-
 /** What a class of the platform is named; all else in capitals is a type of the package. */
 const PLATFORM =
   /^(?:(?:Big)?(?:Int|Uint|Float)\d+(?:Clamped)?Array|ArrayBuffer|HTMLCanvasElement|OffscreenCanvas|URL)$/;
 
-class Reader {
-  readonly #tokens: Token[];
-  #at = 0;
-
-  constructor(text: string) {
-    this.#tokens = tokens(text);
-  }
-
-  get done(): boolean {
-    return this.#at >= this.#tokens.length;
-  }
-
-  get token(): Token {
-    const token = this.#tokens[this.#at];
-    if (!token) throw new Error("the declarations end too early");
-    return token;
-  }
-
-  /** The end of what was read last. */
-  get end(): number {
-    return this.#tokens[this.#at - 1]?.end ?? 0;
-  }
-
-  next(): Token {
-    const token = this.token;
-    this.#at++;
-    return token;
-  }
-
-  is(text: string, ahead = 0): boolean {
-    return this.#tokens[this.#at + ahead]?.text === text;
-  }
-
-  take(text: string): boolean {
-    if (!this.is(text)) return false;
-    this.#at++;
-    return true;
-  }
-
-  expect(text: string): void {
-    if (!this.take(text)) throw new Error(`"${text}" is missing before "${this.token.text}"`);
-  }
-
-  /** Over all to the bracket that closes the one that was opened. */
-  skip(open: string, close: string): void {
-    for (let depth = 1; depth > 0; ) {
-      const { text } = this.next();
-      if (text === open) depth++;
-      else if (text === close) depth--;
-    }
-  }
-
-  type(): Schema {
-    this.take("|");
-    const any = [this.#all()];
-    while (this.take("|")) any.push(this.#all());
-    return any.length === 1 ? (any[0] as Schema) : { any };
-  }
-
-  #all(): Schema {
-    const all = [this.#lists()];
-    while (this.take("&")) all.push(this.#lists());
-    return all.length === 1 ? (all[0] as Schema) : { all };
-  }
-
-  #lists(): Schema {
-    this.take("readonly");
-    let type = this.#one();
-    while (this.is("[") && this.is("]", 1)) {
-      this.next();
-      this.next();
-      type = { list: type };
-    }
-    return type;
-  }
-
-  #one(): Schema {
-    const { text } = this.next();
-    if (text === "{") return this.#object();
-    if (text === "[") return this.#row();
-    if (text === "(") {
-      if (this.is(")") || this.is(":", 1) || this.is("?", 1)) {
-        this.skip("(", ")");
-        this.expect("=>");
-        this.type();
-        return "function";
-      }
-      const type = this.type();
-      this.expect(")");
-      return type;
-    }
-    if (/^["']/.test(text)) return { is: JSON.parse(`"${text.slice(1, -1)}"`) as string };
-    if (/^\d/.test(text)) return { is: Number(text) };
-    if (text === "true" || text === "false") return { is: text === "true" };
-    if (text === "number" || text === "string" || text === "boolean") return text;
-    if (text === "undefined" || text === "null" || text === "void") return "nothing";
-    if (text === "any" || text === "unknown") return "anything";
-    return this.#named(text);
-  }
-
-  #named(first: string): Schema {
-    let name = first;
-    while (this.take(".")) name = `${name}.${this.next().text}`;
-    const given: Schema[] = [];
-    if (this.take("<")) {
-      do given.push(this.type());
-      while (this.take(","));
-      this.expect(">");
-    }
-    const [one = "anything", keys] = given;
-    if (name === "Array" || name === "ArrayLike" || name === "ReadonlyArray") return { list: one };
-    if (name === "Partial") return { partly: one };
-    if (name === "Omit") return { without: one, keys: literals(keys) };
-    if (name === "Exclude") return one;
-    if (PLATFORM.test(name)) return { instance: name };
-    if (name.includes(".") || name === "Promise" || name === "RequestInfo" || name === "Response")
+function schemaOf(type: ESTree.TSType): Schema {
+  switch (type.type) {
+    case "TSNumberKeyword":
+      return "number";
+    case "TSStringKeyword":
+      return "string";
+    case "TSBooleanKeyword":
+      return "boolean";
+    case "TSUndefinedKeyword":
+    case "TSNullKeyword":
+    case "TSVoidKeyword":
+      return "nothing";
+    case "TSAnyKeyword":
+    case "TSUnknownKeyword":
       return "anything";
-    return { named: name };
+    case "TSFunctionType":
+      return "function";
+    case "TSParenthesizedType":
+    case "TSTypeOperator":
+      return schemaOf(type.typeAnnotation);
+    case "TSUnionType":
+      return { any: type.types.map(schemaOf) };
+    case "TSIntersectionType":
+      return { all: type.types.map(schemaOf) };
+    case "TSArrayType":
+      return { list: schemaOf(type.elementType) };
+    case "TSTupleType":
+      return rowOf(type.elementTypes);
+    case "TSTypeLiteral":
+      return fieldsOf(type.members);
+    case "TSTypeReference":
+      return namedBy(type.typeName, type.typeArguments?.params ?? []);
+    case "TSLiteralType": {
+      const { literal } = type;
+      if (literal.type === "Literal" && ["string", "number", "boolean"].includes(typeof literal.value))
+        return { is: literal.value as string | number | boolean };
+    }
   }
+  throw new Error(`a type of the form ${type.type} is not expected in declarations`);
+}
 
-  #object(): Schema {
-    const object: Record<string, Schema> = {};
-    const optional: string[] = [];
-    while (!this.take("}")) {
-      this.take("readonly");
-      const key = this.next().text.replaceAll('"', "");
-      if (this.take("?")) optional.push(key);
-      if (this.take("(")) {
-        this.skip("(", ")");
-        object[key] = "function";
-        if (this.take(":")) this.type();
-      } else {
-        this.expect(":");
-        object[key] = this.type();
-      }
-      if (!this.take(";")) this.take(",");
-    }
-    return { object, optional };
+function namedBy(name: ESTree.Node, given: ESTree.TSType[]): Schema {
+  if (name.type !== "Identifier") return "anything";
+  const [one = "anything", keys] = given.map(schemaOf);
+  switch (name.name) {
+    case "Array":
+    case "ArrayLike":
+    case "ReadonlyArray":
+      return { list: one };
+    case "Partial":
+      return { partly: one };
+    case "Omit":
+      return { without: one, keys: literals(keys) };
+    case "Exclude":
+      return one;
+    case "Promise":
+    case "RequestInfo":
+    case "Response":
+      return "anything";
   }
-
-  #row(): Schema {
-    const row: Schema[] = [];
-    let least = 0;
-    while (!this.take("]")) {
-      const labelled = this.is(":", 1) || (this.is("?", 1) && this.is(":", 2));
-      let optional = false;
-      if (labelled) {
-        this.next();
-        optional = this.take("?");
-        this.expect(":");
-      }
-      row.push(this.type());
-      if (!labelled) optional = this.take("?");
-      if (!optional) least = row.length;
-      this.take(",");
-    }
-    return { row, least };
-  }
-
-  /** From the bracket that opens its parameters on. */
-  call(name: string, start: number, kind: Call["kind"]): Call {
-    this.expect("(");
-    const inside = { start: this.end, end: this.end };
-    const parameters: Parameter[] = [];
-    while (!this.is(")")) {
-      const parameter = this.next().text;
-      const optional = this.take("?");
-      this.expect(":");
-      const at = { start: this.token.start, end: 0 };
-      const type = this.type();
-      at.end = this.end;
-      parameters.push({ name: parameter, optional, type, at });
-      this.take(",");
-    }
-    inside.end = this.token.start;
-    this.next();
-    const returns = { start: this.end, end: this.end };
-    if (this.take(":")) {
-      returns.start = this.token.start;
-      this.type();
-      returns.end = this.end;
-    }
-    this.expect(";");
-    return { name, parameters, start, inside, returns, end: this.end, kind };
-  }
+  return PLATFORM.test(name.name) ? { instance: name.name } : { named: name.name };
 }
 
 function literals(type: Schema | undefined): string[] {
@@ -279,67 +136,92 @@ function literals(type: Schema | undefined): string[] {
   return "any" in type ? type.any.flatMap(literals) : [];
 }
 
+function fieldsOf(members: ESTree.TSSignature[]): Schema {
+  const object: Record<string, Schema> = {};
+  const optional: string[] = [];
+  for (const member of members) {
+    if (member.type !== "TSPropertySignature" && member.type !== "TSMethodSignature")
+      throw new Error(`a field of the form ${member.type} is not expected in declarations`);
+    const { key } = member;
+    const name = key.type === "Identifier" ? key.name : key.type === "Literal" ? String(key.value) : "";
+    if (member.optional) optional.push(name);
+    const type = member.type === "TSPropertySignature" ? member.typeAnnotation?.typeAnnotation : null;
+    object[name] = type ? schemaOf(type) : "function";
+  }
+  return { object, optional };
+}
+
+function rowOf(elements: ESTree.TSTupleElement[]): Schema {
+  let least = 0;
+  const row = elements.map((element, i) => {
+    const isLabelled = element.type === "TSNamedTupleMember";
+    if (!(isLabelled ? element.optional : element.type === "TSOptionalType")) least = i + 1;
+    if (isLabelled) return schemaOf(element.elementType as ESTree.TSType);
+    return schemaOf(element.type === "TSOptionalType" ? element.typeAnnotation : (element as ESTree.TSType));
+  });
+  return { row, least };
+}
+
+type Called = { params: ESTree.ParamPattern[]; returnType?: ESTree.TSTypeAnnotation | null };
+
+/** `part` is of the function or of the member of a class whose parameters `called` has. */
+function callOf(
+  text: string,
+  part: Omit<Exported, "node" | "members">,
+  called: Called,
+  kind: Call["kind"],
+): Call {
+  const type = called.returnType?.typeAnnotation;
+  const close = text.lastIndexOf(")", type?.start ?? part.end);
+  return {
+    name: part.name,
+    parameters: called.params.map((parameter) => {
+      const given = parameter.type === "Identifier" ? parameter.typeAnnotation?.typeAnnotation : null;
+      if (parameter.type !== "Identifier" || !given)
+        throw new Error(`${part.name} has a parameter without a type`);
+      const { name, optional = false } = parameter;
+      return { name, optional, type: schemaOf(given), at: { start: given.start, end: given.end } };
+    }),
+    start: part.from,
+    inside: { start: text.indexOf("(", part.start) + 1, end: close },
+    returns: type ? { start: type.start, end: type.end } : { start: close + 1, end: close + 1 },
+    end: part.end,
+    kind,
+  };
+}
+
 /** All that a file declares. What it imports is passed over. */
 export function declarations(text: string): Declarations {
-  const reader = new Reader(text);
   const found: Declarations = { types: new Map(), functions: [], classes: [] };
-  while (!reader.done) {
-    const { from } = reader.token;
-    if (reader.take("import")) {
-      while (!reader.take(";")) reader.next();
-      continue;
-    }
-    reader.expect("export");
-    reader.take("default");
-    const { text: kind } = reader.next();
-    const name = reader.next().text;
-    if (kind === "interface") {
-      const all: Schema[] = [];
-      if (reader.take("extends")) {
-        do all.push(reader.type());
-        while (reader.take(","));
-      }
-      all.push(reader.type());
-      const schema = all.length === 1 ? (all[0] as Schema) : { all };
-      found.types.set(name, { schema, start: from, end: reader.end });
-    } else if (kind === "type") {
-      reader.expect("=");
-      const schema = reader.type();
-      reader.expect(";");
-      found.types.set(name, { schema, start: from, end: reader.end });
-    } else if (kind === "function") {
-      found.functions.push(reader.call(name, from, "function"));
-    } else if (kind === "class") {
-      found.classes.push(classOf(reader, name, from));
-    } else throw new Error(`"export ${kind} ${name}" is not expected in declarations`);
+  for (const one of exportedIn(text)) {
+    const { node, name, from: start, end } = one;
+    if (node.type === "TSInterfaceDeclaration") {
+      const bases = node.extends.map(({ expression, typeArguments }) =>
+        namedBy(expression, typeArguments?.params ?? []),
+      );
+      const own = fieldsOf(node.body.body);
+      found.types.set(name, { schema: bases.length > 0 ? { all: [...bases, own] } : own, start, end });
+    } else if (node.type === "TSTypeAliasDeclaration")
+      found.types.set(name, { schema: schemaOf(node.typeAnnotation), start, end });
+    else if (node.type === "TSDeclareFunction") found.functions.push(callOf(text, one, node, "function"));
+    else if (node.type === "ClassDeclaration") found.classes.push(classOf(text, one));
+    else throw new Error(`${name}: a ${node.type} is not expected in declarations`);
   }
   return found;
 }
 
-function classOf(reader: Reader, name: string, start: number): Class {
-  const made: Class = { name, start, end: 0, calls: [], getters: [], made: true };
-  reader.expect("{");
-  while (!reader.take("}")) {
-    const { from } = reader.token;
-    if (reader.take("private")) made.made = false;
-    const isStatic = reader.take("static");
-    if (reader.take("readonly")) {
-      made.getters.push(reader.next().text);
-      reader.expect(":");
-      reader.type();
-      reader.expect(";");
-      continue;
-    }
-    const { text: member } = reader.next();
-    if (member === "[") {
-      reader.skip("[", "]");
-      reader.call("", from, "method");
-      continue;
-    }
-    const kind = member === "constructor" ? "constructor" : isStatic ? "static" : "method";
-    const call = reader.call(member, from, kind);
-    if (member !== "free" && (kind !== "constructor" || made.made)) made.calls.push(call);
+function classOf(text: string, { name, from, end, members }: Exported): Class {
+  const made: Class = { name, start: from, end, calls: [], getters: [], made: true };
+  for (const member of members) {
+    const { node } = member;
+    if (node.type === "PropertyDefinition" && node.readonly) made.getters.push(member.name);
+    else if (node.type === "MethodDefinition" && (node.kind === "constructor" || node.kind === "method")) {
+      if (node.accessibility === "private") made.made = false;
+      else if (member.name !== "free") {
+        const kind = node.kind === "constructor" ? "constructor" : node.static ? "static" : "method";
+        made.calls.push(callOf(text, member, node.value, kind));
+      }
+    } else throw new Error(`${name}.${member.name}: a ${node.type} is not expected in declarations`);
   }
-  made.end = reader.end;
   return made;
 }
