@@ -86,7 +86,7 @@ test.describe("where the host does not", () => {
       frame.getByRole("img", { name: "Dragon of three on its way to Gasket, 100%" }),
     ).toBeVisible();
     for (const [address, words] of [
-      ["embed.html#learn/e1", "Only morphs are shown in this frame"],
+      ["embed.html#learn/e1", "Only morphs are shown here"],
       ["index.html#a=fern&b=tree", "Frond cannot be loaded in this frame"],
     ] as const) {
       await page.goto(await framed(address, false));

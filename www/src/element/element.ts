@@ -30,7 +30,7 @@ function originOfScript(): string | null {
 }
 
 const ONLY_MORPHS =
-  "Only morphs are shown in this frame, since it is sandboxed. Add allow-same-origin to its sandbox, or let the host of " +
+  "Only morphs are shown here, in a sandboxed frame or a file. Add allow-same-origin to the sandbox, or let the host of " +
   "Frond send Access-Control-Allow-Origin: *.";
 
 const OBSERVED = [
