@@ -75,6 +75,8 @@ describe("an error", () => {
         }
       };
       const gasket = { maps: [[0.5, 0, 0, 0.5, 0, 0], [0.5, 0, 0, 0.5, 0.5, 0]] };
+      // Those of the system have a code as well.
+      tell(() => { throw Object.assign(new Error("no file"), { code: "ENOENT" }); });
       tell(() => attractor());
       tell(() => attractor({ maps: [[0.5, 0, 0, 0.5, 0, 0], [0.5, 0, 0, 0.5, 0, 0], [1, 2, 3, 4, 5, 6, 7]] }, { points: 5 }));
       tell(() => attractor(gasket, { points: "5" }));
@@ -95,6 +97,7 @@ describe("an error", () => {
         await pool.connectedness(given).catch((problem) => tell(() => { throw problem; }));
       pool.close();`);
     expect(said).toEqual([
+      "another error Error: no file",
       "bad-input: attractor(): ifs must be an object with maps, and is not given.",
       "bad-input: attractor(): ifs.maps[2] must be a list of six numbers, and is a list of 7.",
       'bad-input: attractor(): options.points must be a number, and is the text "5".',
