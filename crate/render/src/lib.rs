@@ -28,8 +28,9 @@
 //!    that a piece is a matrix, its size is read off the matrix, and its points fit an `f32` however far one zooms in.
 //!    [`Letters`], the first of a piece's word, are its code.
 //! 3. `coverage`: a [`Sweep`] walks down the tree of pieces and skips what is outside of the window or lit already.
-//!    Where pieces overlap without end it goes over to a [`Flood`] of points on a grid. With this [`rasterize`] is
-//!    complete.
+//!    Where pieces overlap without end it goes over to a [`Flood`] of points on a grid.
+//!    `splat` draws all but some pixels many times as quickly: [`Splats`] are points of a cloud that every piece places.
+//!    [`rasterize`] draws them first, and is complete with what a sweep finds in the dark.
 //!    [`rasterize_directed`] draws shapes of several states.
 //! 4. A [`Plan`] is the same picture as points that a graphics card places; [`PlacedPoints`] tells which pixels they
 //!    light, so that a sweep finds the others. A [`Density`] spreads samples after the measure, and its tones go by
@@ -71,6 +72,7 @@ mod points;
 mod raster;
 mod sheet;
 pub mod solid;
+mod splat;
 #[cfg(test)]
 mod testing;
 
@@ -93,3 +95,4 @@ pub use plan::{Batch, Detail, PlacedPoints, Plan};
 pub use points::{Instance, Vertex};
 pub use raster::{MAX_SIDE, RasterOptions, RenderError, codes, rasterize, rasterize_bent, rasterize_unbent};
 pub use sheet::{BentSheet, Level, Photo, PhotoError, Sheet, SheetOptions, draw_sheet};
+pub use splat::{Code, Splats};

@@ -223,7 +223,7 @@ mod tests {
 
     use super::*;
     use crate::picture::view::View;
-    use crate::raster::codes;
+    use crate::raster::swept_codes;
     use crate::testing::{NASTY, PLAIN, ifs};
 
     const WINDOW: Window = Window { width: 240, height: 180 };
@@ -258,7 +258,7 @@ mod tests {
         let frame = Frame::within(&ifs, &hull);
         let view = view.unwrap_or_else(|| View::fit(&hull, WINDOW.width, WINDOW.height, 0.05));
         let to_screen = view.onto_screen(frame.to_world, WINDOW);
-        let (truth, _) = codes(&frame, to_screen, WINDOW, 0.02);
+        let (truth, _) = swept_codes::<u32>(&frame, to_screen, WINDOW, 0.02);
         let mut plan = Plan::default();
         plan.make(&frame, to_screen, WINDOW, detail);
         let seen = draw(&plan);

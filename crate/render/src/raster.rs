@@ -5,13 +5,17 @@ use frond_deform::Bend;
 use thiserror::Error;
 
 use crate::bent::{AnchorError, Bent, BentSweep};
+use crate::coverage::canvas::{Hit, Node};
 use crate::coverage::sweep::{Progress, Sweep};
 use crate::density::Density;
+use crate::picture::bitmap::Bitmap;
 use crate::picture::colour::{Colours, is_for_light_ground};
 use crate::picture::resolve::{picture_of_codes, picture_of_density};
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
+use crate::pieces::letters::Letters;
+use crate::splat::{Code, Splats};
 
 /// What [`rasterize`] draws.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +37,9 @@ pub struct RasterOptions<'a> {
     /// Whether the picture is for a light ground: what is dense is darkened there, and else lightened. By default it is
     /// where the colours of the palette are dark.
     pub light_ground: Option<bool>,
+    /// Whether points are enough, as many as are drawn within a frame of what moves: the shape is whole and smooth, but
+    /// some pixels that it hardly reaches into are left out. Only of an attractor at rest that is no density.
+    pub draft: bool,
     /// What bends the attractor. It must have been made for the same maps.
     pub bend: Option<&'a Bend>,
 }
@@ -48,6 +55,7 @@ impl Default for RasterOptions<'_> {
             smooth: true,
             exposure: 1.0,
             light_ground: None,
+            draft: false,
             bend: None,
         }
     }
@@ -141,9 +149,33 @@ pub fn rasterize_unbent(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8
     } else {
         let (fine, scale) = ground.fine(options);
         let to_fine = view.onto_target(frame.to_world, *window, scale);
-        let (codes, _) = codes(frame, to_fine, fine, CERTAIN_REACH * scale);
-        Ok(ground.picture_of_codes(&codes, options))
+        // Where pieces are shaded after their second and third letters, all of them have to be known.
+        if options.colouring == Colouring::Address {
+            let codes = unbent_codes::<u32>(frame, to_fine, fine, scale, options);
+            Ok(ground.picture_of_codes(&codes, options))
+        } else {
+            let codes = unbent_codes::<u8>(frame, to_fine, fine, scale, options);
+            Ok(ground.picture_of_codes(&codes, options))
+        }
     }
+}
+
+/// The codes that the options ask for, of pixels `scale` times as fine as those of the picture.
+fn unbent_codes<C: Code>(
+    frame: &Frame,
+    to_fine: Affine2,
+    fine: Window,
+    scale: f64,
+    options: &RasterOptions<'_>,
+) -> Vec<C> {
+    if !options.draft {
+        return codes(frame, to_fine, fine, CERTAIN_REACH * scale).0;
+    }
+    let mut splats = Splats::draw(frame, to_fine, fine, POINTS_OF_DRAFT);
+    if options.smooth {
+        splats.close_holes();
+    }
+    splats.codes
 }
 
 /// What every picture begins with.
@@ -181,7 +213,7 @@ impl Ground {
         (Window { width: width * factor, height: height * factor }, f64::from(factor))
     }
 
-    fn picture_of_codes(&mut self, codes: &[u32], options: &RasterOptions<'_>) -> Vec<u8> {
+    fn picture_of_codes<C: Code>(&mut self, codes: &[C], options: &RasterOptions<'_>) -> Vec<u8> {
         let (fine, scale) = self.fine(options);
         self.colours.source = [fine.width as i32, fine.height as i32];
         self.colours.factor = scale as f32;
@@ -200,20 +232,56 @@ impl Ground {
 
 /// How far, in pixels, the attractor must reach into a pixel to light it for certain.
 pub(crate) const CERTAIN_REACH: f64 = 0.0625;
+/// About how many points a draft has, and a complete picture at first.
+const POINTS_OF_DRAFT: u64 = 1_500_000;
+const POINTS_FIRST: u64 = 3_000_000;
 /// The density of a bent attractor: the size of its pieces, their number at most, and points in a pass.
 const BENT_DENSITY: (f64, usize, usize) = (16.0, 60_000, 65_536);
 
-/// The codes of the pixels of a window (see [`crate::Letters`]), 0 where nothing is, and whether they are
-/// known to be all. `to_screen` takes unit coordinates to pixels.
+/// The codes of the pixels of a window, and whether they are known to be all. `to_screen` takes unit coordinates to
+/// pixels, and `detail`, in pixels, is how far the attractor must reach into a pixel to light it for certain.
+///
+/// Points light most pixels ([`Splats`]), and a sweep of each map finds the others. The first letters are those that a
+/// sweep alone finds; the second and third may be of another piece where the one on top reaches hardly into a pixel.
 #[must_use]
-pub fn codes(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> (Vec<u32>, Progress) {
-    let mut codes = vec![0; window.area()];
+pub fn codes<C: Code>(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> (Vec<C>, Progress) {
+    let splats = Splats::draw(frame, to_screen, window, POINTS_FIRST);
+    if !splats.whole {
+        return swept_codes(frame, to_screen, window, detail);
+    }
+    let mut codes = splats.codes;
+    let mut settled = Bitmap::new(window);
     let mut sweep = Sweep::new(frame, to_screen, window, detail);
-    let progress = sweep.run(u64::MAX, |hit| {
-        let (x, y) = hit.pixel;
-        codes[y as usize * window.width as usize + x as usize] = hit.letters.code();
-    });
+    let mut progress = Progress::Complete;
+    for (letter, map) in frame.maps.iter().enumerate().rev() {
+        let letters = Letters::NONE.then(letter);
+        let least = C::of(letters, Letters::NONE);
+        // Later maps lie on top of this one.
+        settled.light_where(&codes, |code| *code >= least);
+        sweep.restart_piece_on(frame, Node { map: to_screen * *map, letters }, &settled, detail);
+        if sweep.run(u64::MAX, |hit| put(&mut codes, window, hit)) == Progress::Probed {
+            progress = Progress::Probed;
+        }
+    }
     (codes, progress)
+}
+
+/// The same by a sweep alone, which takes ten times as long where pieces do not overlap without end.
+pub(crate) fn swept_codes<C: Code>(
+    frame: &Frame,
+    to_screen: Affine2,
+    window: Window,
+    detail: f64,
+) -> (Vec<C>, Progress) {
+    let mut codes = vec![C::default(); window.area()];
+    let mut sweep = Sweep::new(frame, to_screen, window, detail);
+    let progress = sweep.run(u64::MAX, |hit| put(&mut codes, window, hit));
+    (codes, progress)
+}
+
+fn put<C: Code>(codes: &mut [C], window: Window, hit: Hit) {
+    let (x, y) = hit.pixel;
+    codes[y as usize * window.width as usize + x as usize] = C::of(hit.letters, Letters::NONE);
 }
 
 /// Points a lit pixel of a density picture, and at most in all.

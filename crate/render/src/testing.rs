@@ -91,3 +91,27 @@ pub const PLAIN: &[&str] = &[
 ];
 /// Shapes on which simple methods give up.
 pub const NASTY: &[&str] = &["overlap", "overlap line", "overlap shear", "many", "thin", "slow", "slow line"];
+
+/// Some system of one to five maps; some of them are singular, reflect, shear, or overlap the others.
+pub fn some_ifs(seed: u32) -> Ifs {
+    let unit = |i: u32| f64::from(frond_core::hash::unit(frond_core::hash::counter(seed, i)));
+    for attempt in 0.. {
+        let at = 1000 * attempt;
+        let count = 1 + (unit(at) * 5.0) as u32;
+        let maps = (0..count).map(|map| {
+            let from = at + 10 * map + 1;
+            let entry = |i| if unit(from + 6) < 0.1 { 0.0 } else { 1.5 * unit(from + i) - 0.75 };
+            row([0, 1, 2, 3]
+                .map(entry)
+                .into_iter()
+                .chain([4, 5].map(|i| unit(from + i) * 2.0 - 1.0))
+                .collect::<Vec<_>>()
+                .try_into()
+                .expect("six"))
+        });
+        if let Ok(ifs) = Ifs::new(maps.collect()) {
+            return ifs;
+        }
+    }
+    unreachable!("one of them contracts")
+}

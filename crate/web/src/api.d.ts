@@ -826,6 +826,11 @@ export interface RasterOptions {
    * where the colours of the palette are dark.
    */
   lightGround?: boolean;
+  /**
+   * Whether a draft is enough, several times as quick: whole and smooth, without some pixels that the attractor hardly
+   * reaches into. For frames of what moves. Densities and bent attractors are drawn as without it.
+   */
+  draft?: boolean;
   /** What bends the attractor. */
   bend?: Bend;
 }

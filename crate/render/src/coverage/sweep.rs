@@ -79,6 +79,15 @@ impl Sweep {
         self.canvas.count = lit.count() as u64;
     }
 
+    /// The same of one piece of the attractor alone, whose map to the screen and first letters these are.
+    pub(crate) fn restart_piece_on(&mut self, frame: &Frame, piece: Node, lit: &Bitmap, detail: f64) {
+        self.restart_on(frame, piece.map, lit, detail);
+        self.root = piece;
+        for node in &mut self.stack {
+            *node = piece;
+        }
+    }
+
     /// Begins another picture in the same memory.
     pub fn restart(&mut self, frame: &Frame, to_screen: Affine2, window: Window, detail: f64) {
         self.frame.clone_from(frame);

@@ -60,6 +60,38 @@ impl Bitmap {
         dark
     }
 
+    /// Lights those of which this is true, of one element a pixel, row after row; the others become dark.
+    pub(crate) fn light_where<T>(&mut self, pixels: &[T], is_lit: impl Fn(&T) -> bool) {
+        let width = self.window.width.max(1) as usize;
+        for (row, words) in pixels.chunks_exact(width).zip(self.words.chunks_exact_mut(self.stride)) {
+            for (pixels, word) in row.chunks(64).zip(words) {
+                *word = pixels.iter().rev().fold(0, |word, pixel| word << 1 | u64::from(is_lit(pixel)));
+            }
+        }
+    }
+
+    /// Tells of each dark pixel whose eight neighbours are lit.
+    pub(crate) fn each_hole(&self, mut tell: impl FnMut((u32, u32))) {
+        let word = |y: usize, at: usize| self.words[y * self.stride + at];
+        // The neighbours to the left and to the right of each pixel of a word, in its place.
+        let left = |y, at| word(y, at) << 1 | if at > 0 { word(y, at - 1) >> 63 } else { 0 };
+        let right = |y, at| word(y, at) >> 1 | if at + 1 < self.stride { word(y, at + 1) << 63 } else { 0 };
+        let row = |y, at| left(y, at) & word(y, at) & right(y, at);
+        for y in 1..(self.window.height as usize).saturating_sub(1) {
+            for at in 0..self.stride {
+                let beside = left(y, at) & right(y, at);
+                let mut holes = !word(y, at) & beside;
+                if holes != 0 {
+                    holes &= row(y - 1, at) & row(y + 1, at);
+                }
+                while holes != 0 {
+                    tell((at as u32 * 64 + holes.trailing_zeros(), y as u32));
+                    holes &= holes - 1;
+                }
+            }
+        }
+    }
+
     /// The place of a pixel in an array of one element a pixel, row after row.
     #[inline]
     #[must_use]

@@ -28,6 +28,8 @@ pub struct Extent {
     pub pixels: PixelBox,
     /// The longer side of the box, in pixels.
     pub size: f64,
+    /// Half its sides, in pixels.
+    pub reach: DVec2,
     /// Whether the box is all within the window.
     pub inside: bool,
 }
@@ -92,7 +94,7 @@ impl Window {
         };
         // In WebAssembly `f64::max` is a call: it looks for NaN, which has not come so far.
         let size = 2.0 * if reach.x < reach.y { reach.y } else { reach.x };
-        Some(Extent { pixels, size, inside })
+        Some(Extent { pixels, size, reach, inside })
     }
 }
 

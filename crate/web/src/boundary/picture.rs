@@ -38,6 +38,8 @@ struct Plain {
     exposure: Option<f32>,
     #[serde(rename = "lightGround")]
     light_ground: Option<bool>,
+    #[serde(default)]
+    draft: bool,
 }
 
 /// The picture that `draw` makes with these options.
@@ -57,6 +59,7 @@ pub(crate) fn picture(
         smooth: plain.smooth.unwrap_or(true),
         exposure: plain.exposure.unwrap_or(1.0),
         light_ground: plain.light_ground,
+        draft: plain.draft,
         bend: None,
     };
     let pixels = draw(&options).map_err(|error| failure(error.code(), &error.to_string()))?;

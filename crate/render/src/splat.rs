@@ -1,0 +1,441 @@
+//! Whole pictures of attractors at rest, quickly enough for every frame of what moves.
+//!
+//! Each piece of an attractor is an affine image of all of it, so that one cloud of points serves them all. The
+//! attractor is taken apart into pieces of some pixels, later maps first. A piece whose pixels are all lit is dropped;
+//! the points of the others are drawn through their maps.
+
+mod cloud;
+
+use frond_core::Affine2;
+
+use self::cloud::{Cloud, Clouds};
+use crate::coverage::flood::Flood;
+use crate::picture::bitmap::Bitmap;
+use crate::picture::window::{Extent, PixelBox, Window};
+use crate::pieces::cut::cut_at_random;
+use crate::pieces::frame::Frame;
+use crate::pieces::letters::{KEPT, Letters};
+
+/// What a pixel keeps of the piece on top: 0 where it is dark, and more the higher the piece lies.
+pub trait Code: Copy + Default + Ord {
+    /// Of a point with these letters within a piece with those.
+    fn of(piece: Letters, point: Letters) -> Self;
+    /// Whether the letters of points are of no account in a piece with these.
+    fn is_known(piece: Letters) -> bool;
+    /// The same as three letters have it (see [`Letters::code`]).
+    fn code(self) -> u32;
+}
+
+/// The first letter, which is all that colours by map need.
+impl Code for u8 {
+    #[inline]
+    fn of(piece: Letters, point: Letters) -> Self {
+        (piece.join(point).packed() >> 12) as u8 + 1
+    }
+
+    fn is_known(piece: Letters) -> bool {
+        piece.count() > 0
+    }
+
+    #[inline]
+    fn code(self) -> u32 {
+        self.checked_sub(1).map_or(0, |first| (u32::from(first) << 12) + 1)
+    }
+}
+
+/// Three letters.
+impl Code for u32 {
+    #[inline]
+    fn of(piece: Letters, point: Letters) -> Self {
+        piece.join(point).code()
+    }
+
+    fn is_known(piece: Letters) -> bool {
+        piece.count() >= KEPT
+    }
+
+    #[inline]
+    fn code(self) -> u32 {
+        self
+    }
+}
+
+/// The codes of a picture, drawn as points.
+#[derive(Debug)]
+pub struct Splats<C> {
+    window: Window,
+    /// One a pixel, row after row.
+    pub codes: Vec<C>,
+    /// Whether all pieces were drawn: false where they overlap too much for that.
+    pub whole: bool,
+    /// How many points were drawn.
+    pub points: u64,
+}
+
+/// The largest pieces that points are drawn for, in pixels.
+const PIECE: f64 = 48.0;
+/// The distance of points, in pixels: with less than one to a pixel there would be holes.
+const SPACING: f64 = 0.85;
+/// A second time with points nearer to each other is worth while from such a distance on, and none is nearer than this.
+const FINER: (f64, f64) = (0.7, 0.3);
+/// Points for each pixel of the window, and on top, before pieces overlap too much; and pieces looked at.
+const MOST_POINTS: (u64, u64) = (6, 500_000);
+const MOST_VISITS: u64 = 300_000;
+/// Where they do: points in all, the pieces drawn of a close view, and the points of a cloud times its maps.
+const ROUGH_POINTS: f64 = 3.0e6;
+const ROUGH_PIECES: usize = 32;
+const ROUGH_STEPS: f64 = 1.5e6;
+
+impl<C: Code> Splats<C> {
+    /// Draws the attractor under `to_screen`, from unit coordinates of the frame to pixels, with about `points` points
+    /// where that makes it finer.
+    #[must_use]
+    pub fn draw(frame: &Frame, to_screen: Affine2, window: Window, points: u64) -> Self {
+        let codes = vec![C::default(); window.area()];
+        let mut splats = Self { window, codes, whole: true, points: 0 };
+        if !to_screen.is_finite() {
+            return splats;
+        }
+        splats.whole = splats.pieces(frame, to_screen, SPACING);
+        if !splats.whole {
+            splats.rough(frame, to_screen);
+            return splats;
+        }
+        let first = splats.points;
+        let spacing = SPACING * (first as f64 / points.saturating_sub(first).max(1) as f64).sqrt();
+        if spacing < FINER.0 {
+            splats.pieces(frame, to_screen, spacing.max(FINER.1));
+        }
+        splats
+    }
+
+    /// Draws all pieces in the window, later ones first. Returns whether these were not too many.
+    fn pieces(&mut self, frame: &Frame, to_screen: Affine2, spacing: f64) -> bool {
+        let mut clouds = Clouds::new(frame, PIECE, spacing);
+        let most = self.points + MOST_POINTS.0 * self.window.area() as u64 + MOST_POINTS.1;
+        let mut visits = 0;
+        let mut stack = vec![(to_screen, Letters::NONE)];
+        while let Some((map, letters)) = stack.pop() {
+            visits += 1;
+            if visits > MOST_VISITS || self.points > most {
+                return false;
+            }
+            let Some(extent) = self.window.extent(&map) else { continue };
+            if letters.count() > 0 {
+                if self.all_lit(extent.pixels) {
+                    continue;
+                }
+                let size = 2.0 * map.norm();
+                if size <= PIECE {
+                    self.stamp(&map, letters, clouds.for_size(size), &extent);
+                    continue;
+                }
+            }
+            stack.extend(frame.maps.iter().enumerate().map(|(i, part)| (map * *part, letters.then(i))));
+        }
+        true
+    }
+
+    /// Draws some large pieces with one cloud, whatever they overlap: all maps of a shape that is seen whole, some pieces
+    /// of a close view.
+    fn rough(&mut self, frame: &Frame, to_screen: Affine2) {
+        let Some(extent) = self.window.extent(&to_screen) else { return };
+        let seen = f64::from(self.window.width.max(self.window.height));
+        let mut pieces = Vec::new();
+        if extent.size <= 2.0 * seen {
+            let parts = frame.maps.iter().enumerate();
+            pieces.extend(parts.map(|(i, part)| (to_screen * *part, Letters::NONE.then(i))));
+            pieces.reverse();
+        } else {
+            let mut some = Vec::new();
+            cut_at_random(frame, to_screen, self.window, seen, ROUGH_PIECES, &mut some);
+            pieces.extend(some.iter().map(|piece| (piece.map, piece.letters)));
+        }
+        let count = pieces.len().max(1) as f64;
+        let most = (ROUGH_POINTS / count).min(ROUGH_STEPS / frame.steps.len().max(1) as f64);
+        let side = (extent.size.min(2.0 * seen) / SPACING).min(most.sqrt()).max(16.0);
+        let mut flood = Flood::new(frame, side as u32);
+        flood.run(u64::MAX);
+        let cloud = Cloud::of(flood.points());
+        for (map, letters) in pieces {
+            if let Some(extent) = self.window.extent(&map) {
+                self.stamp(&map, letters, &cloud, &extent);
+            }
+        }
+    }
+
+    /// Lights each dark pixel whose eight neighbours are lit, as the one to its left is. Points leave out about one of a
+    /// hundred pixels of a full area; where a pixel of the picture is made of four, this lights none that was dark.
+    pub(crate) fn close_holes(&mut self) {
+        let width = self.window.width as usize;
+        let mut lit = Bitmap::new(self.window);
+        lit.light_where(&self.codes, |code| *code > C::default());
+        lit.each_hole(|(x, y)| {
+            let at = y as usize * width + x as usize;
+            self.codes[at] = self.codes[at - 1];
+        });
+    }
+
+    fn all_lit(&self, pixels: PixelBox) -> bool {
+        let width = self.window.width as usize;
+        (pixels.y.0..=pixels.y.1).all(|y| {
+            let row = &self.codes[y as usize * width..][pixels.x.0 as usize..=pixels.x.1 as usize];
+            // All of a row at once, rather than up to the first that is dark: many at a time.
+            row.iter().fold(true, |lit, code| lit & (*code > C::default()))
+        })
+    }
+
+    fn stamp(&mut self, map: &Affine2, letters: Letters, cloud: &Cloud, extent: &Extent) {
+        self.points += cloud.len() as u64;
+        let place = Placement::new(map, self.window, extent);
+        let known = C::of(letters, Letters::NONE);
+        match (C::is_known(letters), extent.inside) {
+            (true, true) => place.each::<true>(cloud, |at, _| light(&mut self.codes, at, known)),
+            (true, false) => place.each::<false>(cloud, |at, _| light(&mut self.codes, at, known)),
+            (false, _) => place.each::<false>(cloud, |at, point| {
+                light(&mut self.codes, at, C::of(letters, cloud.letters[point]));
+            }),
+        }
+    }
+}
+
+#[inline]
+fn light<C: Code>(codes: &mut [C], at: usize, code: C) {
+    if let Some(pixel) = codes.get_mut(at) {
+        *pixel = (*pixel).max(code);
+    }
+}
+
+/// How a cloud is put on the pixels.
+struct Placement {
+    linear: [f32; 4],
+    /// In pixels from a corner of the piece's box, so that `f32` is exact to a thousandth however large the picture.
+    translation: [f32; 2],
+    /// The pixels of a row.
+    width: f32,
+    /// The place of that corner among the pixels; it may be outside.
+    corner: isize,
+    /// The window, from that corner.
+    low: [f32; 2],
+    high: [f32; 2],
+}
+
+/// Added to a number from 0 to 2^22, this leaves the nearest integer in its low bits; taken off again, that integer.
+const TO_INTEGER: f32 = 8_388_608.0;
+const INTEGER_BITS: u32 = 0x007f_ffff;
+/// Points that are placed at once.
+pub(super) const LANES: usize = 8;
+
+impl Placement {
+    fn new(map: &Affine2, window: Window, extent: &Extent) -> Self {
+        let corner = (map.translation - extent.reach).floor() - 1.0;
+        let [a, b, c, d, e, f] = map.to_row();
+        let low = [-corner.x as f32, -corner.y as f32];
+        Self {
+            linear: [a, b, c, d].map(|x| x as f32),
+            // The nearest integer to what is half a pixel less is the pixel.
+            translation: [(e - corner.x - 0.5) as f32, (f - corner.y - 0.5) as f32],
+            width: window.width as f32,
+            corner: (corner.y as isize).wrapping_mul(window.width as isize).wrapping_add(corner.x as isize),
+            low,
+            high: [low[0] + window.width as f32, low[1] + window.height as f32],
+        }
+    }
+
+    /// Tells where each point is among the pixels, and which it is; a place that there is not for one outside.
+    #[inline]
+    fn each<const INSIDE: bool>(&self, cloud: &Cloud, mut put: impl FnMut(usize, usize)) {
+        let [a, b, c, d] = self.linear;
+        let [e, f] = self.translation;
+        let chunks = cloud.xs.chunks_exact(LANES).zip(cloud.ys.chunks_exact(LANES)).enumerate();
+        for (chunk, (xs, ys)) in chunks {
+            let mut places = [0_u32; LANES];
+            for k in 0..LANES {
+                let x = (a * xs[k] + b * ys[k] + e + TO_INTEGER) - TO_INTEGER;
+                let y = (c * xs[k] + d * ys[k] + f + TO_INTEGER) - TO_INTEGER;
+                let place = (y * self.width + x + TO_INTEGER).to_bits() & INTEGER_BITS;
+                let inside = INSIDE
+                    || (x >= self.low[0]) & (y >= self.low[1]) & (x < self.high[0]) & (y < self.high[1]);
+                places[k] = if inside { place } else { u32::MAX };
+            }
+            for (k, place) in places.into_iter().enumerate() {
+                let at = if INSIDE || place != u32::MAX {
+                    self.corner.wrapping_add(place as isize) as usize
+                } else {
+                    usize::MAX
+                };
+                put(at, chunk * LANES + k);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use frond_core::{Hull, Ifs};
+    use glam::DVec2;
+
+    use super::*;
+    use crate::picture::view::View;
+    use crate::raster::{codes, swept_codes};
+    use crate::testing::{NASTY, PLAIN, ifs, some_ifs};
+
+    const WINDOW: Window = Window { width: 320, height: 240 };
+    /// Points enough for the finest spacing in so small a picture, and too few for a second time.
+    const MANY: u64 = 4_000_000;
+    const FEW: u64 = 0;
+
+    fn screen(ifs: &Ifs, zoom: f64) -> (Frame, Affine2) {
+        let hull = Hull::of(ifs);
+        let frame = Frame::within(ifs, &hull);
+        let fit = View::fit(&hull, WINDOW.width, WINDOW.height, 0.05);
+        let at = frame.to_world.apply(frame.anchor);
+        let view = if zoom > 1.0 { View { x: at.x, y: at.y, scale: fit.scale * zoom } } else { fit };
+        let to_screen = view.onto_screen(frame.to_world, WINDOW);
+        (frame, to_screen)
+    }
+
+    fn share(of: &[u8], truth: &[u8], differ: impl Fn(u8, u8) -> bool) -> f64 {
+        let found = of.iter().zip(truth).filter(|(a, b)| differ(**a, **b)).count();
+        found as f64 / truth.iter().filter(|code| **code > 0).count().max(1) as f64
+    }
+
+    /// Squares of two pixels that are dark in the midst of a lit area of six.
+    fn holes(drawn: &[u8], truth: &[u8]) -> usize {
+        let width = WINDOW.width as usize;
+        let all = |codes: &[u8], x: usize, y: usize, side: usize, lit: bool| {
+            (y..y + side).all(|y| codes[y * width + x..][..side].iter().all(|code| (*code > 0) == lit))
+        };
+        let places = (2..WINDOW.height as usize - 4).flat_map(|y| (2..width - 4).map(move |x| (x, y)));
+        places.filter(|&(x, y)| all(drawn, x, y, 2, false) && all(truth, x - 2, y - 2, 6, true)).count()
+    }
+
+    #[test]
+    fn points_light_what_a_sweep_lights_and_leave_no_hole() {
+        for name in PLAIN {
+            for zoom in [1.0, 300.0] {
+                let (frame, to_screen) = screen(&ifs(name), zoom);
+                let (truth, _) = swept_codes::<u8>(&frame, to_screen, WINDOW, 0.01);
+                for points in [FEW, MANY] {
+                    let splats = Splats::<u8>::draw(&frame, to_screen, WINDOW, points);
+                    assert!(splats.whole, "{name}");
+                    let extra = share(&splats.codes, &truth, |a, b| a > 0 && b == 0);
+                    assert!(extra <= 0.0005, "{name} x{zoom}: {extra} too many");
+                    // Lévy's curve is full of gaps of about a pixel.
+                    let holes = holes(&splats.codes, &truth);
+                    assert!(holes == 0 || (*name == "levy" && points == FEW), "{name} x{zoom}: {holes}");
+                    let missed = share(&splats.codes, &truth, |a, b| a == 0 && b > 0);
+                    // What is thin has pixels that it hardly reaches into.
+                    let full = ["square", "carpet", "dragon"].contains(name);
+                    let most = if points == FEW { 0.25 } else { 0.1 } * if full { 0.3 } else { 1.0 };
+                    assert!(missed < most, "{name} x{zoom} {points}: {missed} missed");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn with_a_sweep_of_what_is_dark_they_are_the_picture_of_a_sweep() {
+        let random = (0..frond_testing::cases(60)).map(|seed| (format!("some {seed}"), some_ifs(seed)));
+        let plain = PLAIN.iter().map(|name| ((*name).to_owned(), ifs(name)));
+        let (mut seen, mut lit) = (0, 0);
+        for (name, ifs) in plain.chain(random) {
+            let (frame, to_screen) = screen(&ifs, 1.0);
+            let (truth, progress) = swept_codes::<u8>(&frame, to_screen, WINDOW, 0.125);
+            if progress != crate::Progress::Complete {
+                continue;
+            }
+            let (drawn, progress) = codes::<u8>(&frame, to_screen, WINDOW, 0.125);
+            assert_eq!(progress, crate::Progress::Complete, "{name}");
+            let count = truth.iter().filter(|code| **code > 0).count();
+            let missed = truth.iter().zip(&drawn).filter(|(a, b)| a > b).count();
+            // A point on the border of two pixels may fall into either, and a sweep leaves out what hardly reaches in.
+            assert!(missed * 2000 <= count, "{name}: {missed} of {count} missed or of an earlier map");
+            let more = truth.iter().zip(&drawn).filter(|(a, b)| a < b).count();
+            assert!(more * 200 <= count, "{name}: {more} of {count} lit or of a later map");
+            (seen, lit) = (seen + 1, lit + count);
+        }
+        assert!(seen > PLAIN.len() + 20 && lit > 100_000, "{seen} {lit}");
+    }
+
+    #[test]
+    fn three_letters_are_those_of_a_sweep_but_for_pixels_that_are_hardly_reached() {
+        for name in ["gasket", "dragon", "fern", "carpet"] {
+            let (frame, to_screen) = screen(&ifs(name), 1.0);
+            let (truth, _) = swept_codes::<u32>(&frame, to_screen, WINDOW, 0.125);
+            let (drawn, _) = codes::<u32>(&frame, to_screen, WINDOW, 0.125);
+            let lit = truth.iter().filter(|code| **code > 0).count();
+            let differ = truth.iter().zip(&drawn).filter(|(a, b)| a != b).count();
+            assert!(differ * 25 < lit, "{name}: {differ} of {lit}");
+        }
+    }
+
+    #[test]
+    fn shapes_that_overlap_without_end_are_drawn_within_bounds_and_near_every_point() {
+        let most = MOST_POINTS.0 * WINDOW.area() as u64 + MOST_POINTS.1 + ROUGH_POINTS as u64;
+        for name in NASTY {
+            for zoom in [1.0, 1e4] {
+                let (frame, to_screen) = screen(&ifs(name), zoom);
+                let splats = Splats::<u8>::draw(&frame, to_screen, WINDOW, FEW);
+                assert!(splats.points <= most + 200_000, "{name} x{zoom}: {}", splats.points);
+                if zoom > 1.0 {
+                    continue;
+                }
+                let (mut point, mut far) = (frame.anchor, 0);
+                for i in 0..5000 {
+                    point =
+                        frame.maps[frond_core::hash::counter(9, i) as usize % frame.maps.len()].apply(point);
+                    let at = to_screen.apply(point);
+                    let near = (-2..=2).any(|dy| {
+                        (-2..=2).any(|dx| {
+                            let pixel = WINDOW.pixel(at + DVec2::new(f64::from(dx), f64::from(dy)));
+                            pixel.is_some_and(|(x, y)| splats.codes[(y * WINDOW.width + x) as usize] > 0)
+                        })
+                    });
+                    far += u32::from(!near);
+                }
+                assert!(far < 50, "{name}: {far} of 5000");
+            }
+        }
+    }
+
+    #[test]
+    fn close_views_are_drawn_in_little_more_time_than_far_ones() {
+        for (name, zoom) in
+            [("dragon", 1e2), ("dragon", 1e6), ("dragon", 1e9), ("gasket", 1e9), ("fern", 1e5)]
+        {
+            let (frame, to_screen) = screen(&ifs(name), zoom);
+            let splats = Splats::<u8>::draw(&frame, to_screen, WINDOW, FEW);
+            let lit = splats.codes.iter().filter(|code| **code > 0).count();
+            assert!(splats.whole && lit > 300, "{name} x{zoom}: {lit}");
+            assert!(splats.points < 20 * lit as u64 + 200_000, "{name} x{zoom}: {} for {lit}", splats.points);
+        }
+    }
+
+    #[test]
+    fn what_is_no_picture_is_dark() {
+        let frame = Frame::of(&ifs("gasket"));
+        let away = Affine2::from_row([9.0, 0.0, 0.0, 9.0, -500.0, 0.0]);
+        for map in
+            [away, Affine2::from_row([f64::NAN; 6]), Affine2::from_row([1e300, 0.0, 0.0, 1e300, 0.0, 0.0])]
+        {
+            let splats = Splats::<u8>::draw(&frame, map, WINDOW, MANY);
+            assert!(map.is_finite() || splats.codes.iter().all(|code| *code == 0));
+        }
+        let none = Window { width: 0, height: 0 };
+        assert!(Splats::<u32>::draw(&frame, Affine2::IDENTITY, none, MANY).codes.is_empty());
+    }
+
+    #[test]
+    fn a_dark_pixel_among_eight_that_are_lit_is_closed_and_no_other() {
+        let window = Window { width: 70, height: 8 };
+        let mut splats = Splats { window, codes: vec![1_u8; window.area()], whole: true, points: 0 };
+        for (x, y) in [(0, 3), (63, 2), (64, 5), (69, 5), (30, 0), (30, 7), (10, 4), (11, 4)] {
+            splats.codes[y * 70 + x] = 0;
+        }
+        splats.close_holes();
+        let dark: Vec<_> =
+            (0..window.area()).filter(|at| splats.codes[*at] == 0).map(|at| (at % 70, at / 70)).collect();
+        assert_eq!(dark, [(30, 0), (0, 3), (10, 4), (11, 4), (69, 5), (30, 7)]);
+    }
+}

@@ -1,0 +1,101 @@
+//! Points that stand for the attractor, about one to a cell of a grid.
+
+use glam::DVec2;
+
+use super::LANES;
+use crate::coverage::flood::{CloudPoint, Flood};
+use crate::pieces::frame::Frame;
+use crate::pieces::letters::Letters;
+
+/// Points of the attractor in unit coordinates. Their number is a multiple of what is placed at once: the last one is
+/// repeated.
+#[derive(Debug, Default)]
+pub struct Cloud {
+    pub xs: Vec<f32>,
+    pub ys: Vec<f32>,
+    pub letters: Vec<Letters>,
+}
+
+impl Cloud {
+    /// A cloud of these points.
+    pub fn of<'a>(points: impl IntoIterator<Item = &'a CloudPoint>) -> Self {
+        let mut cloud = Self::default();
+        for point in points {
+            cloud.push(point);
+        }
+        if let Some(last) = cloud.last() {
+            while !cloud.len().is_multiple_of(LANES) {
+                cloud.push(&last);
+            }
+        }
+        cloud
+    }
+
+    pub fn len(&self) -> usize {
+        self.xs.len()
+    }
+
+    fn push(&mut self, point: &CloudPoint) {
+        self.xs.push(point.position[0]);
+        self.ys.push(point.position[1]);
+        self.letters.push(point.letters);
+    }
+
+    fn last(&self) -> Option<CloudPoint> {
+        let (x, y) = (*self.xs.last()?, *self.ys.last()?);
+        Some(CloudPoint { position: [x, y], letters: *self.letters.last()? })
+    }
+}
+
+/// Clouds for pieces of a size, a little less, and so on.
+pub struct Clouds {
+    clouds: [Option<Cloud>; COUNT],
+    /// Points of the attractor, nearer to each other than those of any cloud.
+    points: Vec<CloudPoint>,
+    largest: f64,
+    spacing: f64,
+}
+
+/// The number of clouds, and how much smaller the pieces of the next one are: the fourth root of a half.
+const COUNT: usize = 24;
+const NEXT: f64 = 0.840_896_415_253_714_5;
+/// How many times nearer to each other the points are that those of clouds are chosen of.
+const CHOICE: f64 = 2.0;
+
+impl Clouds {
+    /// Clouds for pieces of at most `largest` pixels, whose points are `spacing` pixels apart.
+    pub fn new(frame: &Frame, largest: f64, spacing: f64) -> Self {
+        let mut flood = Flood::new(frame, (largest * CHOICE / spacing).ceil() as u32);
+        flood.run(u64::MAX);
+        Self { clouds: [const { None }; COUNT], points: flood.into_points(), largest, spacing }
+    }
+
+    /// The cloud for pieces of a size.
+    pub fn for_size(&mut self, size: f64) -> &Cloud {
+        let (mut which, mut upper) = (0, self.largest);
+        while which + 1 < COUNT && size <= upper * NEXT {
+            upper *= NEXT;
+            which += 1;
+        }
+        let (points, spacing) = (&self.points, self.spacing);
+        self.clouds[which].get_or_insert_with(|| thinned(points, (upper / spacing).ceil().max(1.0) as usize))
+    }
+}
+
+/// Of the points in each cell of a grid the one nearest to its middle: points that are spaced evenly leave the fewest
+/// pixels out.
+fn thinned(points: &[CloudPoint], side: usize) -> Cloud {
+    let half = 0.5 * side as f64;
+    let mut nearest = vec![(u32::MAX, f32::INFINITY); side * side];
+    for (i, point) in points.iter().enumerate() {
+        let at = (glam::Vec2::from(point.position).as_dvec2() + DVec2::ONE) * half;
+        // A cast of what is below 0 gives 0.
+        let (x, y) = ((at.x as usize).min(side - 1), (at.y as usize).min(side - 1));
+        let away = (at - DVec2::new(x as f64 + 0.5, y as f64 + 0.5)).length_squared() as f32;
+        let cell = &mut nearest[y * side + x];
+        if away < cell.1 {
+            *cell = (i as u32, away);
+        }
+    }
+    Cloud::of(nearest.iter().filter_map(|(i, _)| points.get(*i as usize)))
+}

@@ -1,0 +1,2 @@
+//! From codes to colours.
+pub fn paint_codes() {}
