@@ -96,6 +96,50 @@ describe("which of the two decides a locus", () => {
   });
 });
 
+describe("whether a card draws", () => {
+  /** A browser whose WebGL2 is drawn by this; without a name it has none that is quick. */
+  function webGl(name?: string, masked = true): ReturnType<typeof vi.fn> {
+    const names: Record<number, string | undefined> = { 1: masked ? "WebKit WebGL" : name, 2: name };
+    const context = {
+      RENDERER: 1,
+      getExtension: (which: string) =>
+        which === "WEBGL_debug_renderer_info" && masked ? { UNMASKED_RENDERER_WEBGL: 2 } : null,
+      getParameter: (which: number) => names[which],
+    };
+    const getContext = vi.fn(() => (name === undefined ? null : context));
+    vi.stubGlobal(
+      "OffscreenCanvas",
+      class {
+        getContext = getContext;
+      },
+    );
+    return getContext;
+  }
+
+  it.each([
+    ["ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)), SwiftShader driver)", true, false],
+    ["llvmpipe (LLVM 15.0.6, 256 bits)", false, false],
+    ["ANGLE (Microsoft, Microsoft Basic Render Driver Direct3D11 vs_5_0 ps_5_0)", true, false],
+    ["ANGLE (Intel, Mesa Intel(R) UHD Graphics 620 (KBL GT2), OpenGL 4.6)", true, true],
+    ["Apple GPU", false, true],
+  ])("is told by the name of what draws WebGL2: %s", async (name, masked, card) => {
+    const getContext = webGl(name, masked);
+    expect(await renderer.drawsOnCard()).toBe(card);
+    expect(getContext).toHaveBeenCalledWith("webgl2", { failIfMajorPerformanceCaveat: true });
+    expect(await renderer.drawsOnCard({ backend: "webgpu" })).toBe(false);
+  });
+
+  it("is none where there is no WebGL2 that is quick, and one where WebGPU is a card's", async () => {
+    webGl();
+    expect(await renderer.drawsOnCard()).toBe(false);
+    pretend({ info: { vendor: "nvidia", architecture: "hopper", isFallbackAdapter: false } });
+    vi.resetModules();
+    const anew = await import("../../www/pkg/renderer.js");
+    expect(await anew.drawsOnCard()).toBe(true);
+    expect(await anew.drawsOnCard({ backend: "webgl2" })).toBe(false);
+  });
+});
+
 describe("a browser that has no adapter, and warns when it is asked", () => {
   it("is asked once, for however many pictures and loci", async () => {
     const request = pretend(null);

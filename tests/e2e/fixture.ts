@@ -25,6 +25,11 @@ interface Fixtures {
    * seconds on each page. Where it is not, each question for proofs is answered at once: none was found.
    */
   proofs: boolean;
+  /**
+   * Whether the page chooses by itself what draws: the processor, since these browsers have no graphics card. Where it
+   * does not, the interface of the project does, as on a machine with a card.
+   */
+  chooses: boolean;
   quiet: undefined;
   studio: Studio;
 }
@@ -44,6 +49,7 @@ export const test = base.extend<Fixtures, { tab: Tab }>({
   expected: [null, { option: true }],
   alone: [false, { option: true }],
   proofs: [false, { option: true }],
+  chooses: [false, { option: true }],
   tab: [
     // biome-ignore lint/correctness/noEmptyPattern: Playwright reads from it what a fixture needs.
     async ({}, use) => {
@@ -53,16 +59,17 @@ export const test = base.extend<Fixtures, { tab: Tab }>({
     },
     { scope: "worker" },
   ],
-  page: async ({ alone, browser, proofs, tab, viewport }, use) => {
-    if (alone || proofs) {
-      const page = await newTab(browser);
+  page: async ({ alone, browser, proofs, chooses, tab, viewport }, use, { project }) => {
+    const draws = chooses ? null : project.name === "webgpu" ? "webgpu" : "webgl2";
+    if (alone || proofs || chooses) {
+      const page = await newTab(browser, draws);
       if (!proofs) await findNoProofs(page);
       await use(page);
       await page.context().close();
       return;
     }
     if (!tab.page) {
-      tab.page = await newTab(browser);
+      tab.page = await newTab(browser, draws);
       await findNoProofs(tab.page);
       // What one test has kept is not offered to the next.
       await tab.page.addInitScript(() => {
@@ -114,10 +121,13 @@ export const test = base.extend<Fixtures, { tab: Tab }>({
   ],
 });
 
-async function newTab(browser: Browser): Promise<Page> {
+async function newTab(browser: Browser, draws: string | null): Promise<Page> {
   // What a service worker keeps would go from one test to the next; it has tests of its own.
   const page = await browser.newPage({ serviceWorkers: "block" });
   await listen(page);
+  await page.addInitScript((backend) => {
+    Object.assign(globalThis, { frondBackend: backend ?? undefined });
+  }, draws);
   // Whoever is new here is greeted, which has tests of its own.
   await page.addInitScript(() => {
     if (location.protocol !== "about:" && origin !== "null") localStorage["frond.guide"] ??= "seen";

@@ -21,6 +21,12 @@ export function hasWebGpu(): Promise<boolean>;
 export function hasGraphicsCard(): Promise<boolean>;
 
 /**
+ * Whether one of the interfaces that `createRenderer` may use is a graphics card's. Where the processor stands in for
+ * one, or there is neither, `rasterize(.., { draft: true })` in a worker draws what moves sooner than a `Renderer`.
+ */
+export function drawsOnCard(options?: Pick<RendererOptions, "backend">): Promise<boolean>;
+
+/**
  * A live picture on a canvas that has had no context yet. Rejects with a FrondError where there is no graphics card.
  */
 export function createRenderer(

@@ -37,12 +37,36 @@ function adapter() {
 
 export const hasWebGpu = async () => (await adapter()) !== undefined;
 
+const SOFTWARE = /swiftshader|llvmpipe|lavapipe|softpipe|software|basic render|\bwarp\b/i;
+
 /** Whether the processor stands in for a graphics card, as far as the browser tells without a device. */
 function isSoftware(adapter) {
   const info = adapter.info ?? {};
   const names = [info.vendor, info.architecture, info.device, info.description].join(" ");
   const fallback = info.isFallbackAdapter ?? adapter.isFallbackAdapter ?? false;
-  return fallback || /swiftshader|llvmpipe|lavapipe|software|basic render|\bwarp\b/i.test(names);
+  return fallback || SOFTWARE.test(names);
+}
+
+/** Whether WebGL2 is a graphics card's. */
+function hasWebGlCard() {
+  const { OffscreenCanvas, document } = globalThis;
+  const canvas = OffscreenCanvas ? new OffscreenCanvas(1, 1) : document?.createElement("canvas");
+  // Browsers that know of such a caveat give no context on the processor.
+  const context = canvas?.getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+  if (!context) return false;
+  const named = context.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL;
+  const name = String(context.getParameter(named ?? context.RENDERER));
+  context.getExtension("WEBGL_lose_context")?.loseContext();
+  return !SOFTWARE.test(name);
+}
+
+let webGlCard;
+
+export async function drawsOnCard({ backend = "auto" } = {}) {
+  if (backend !== "webgl2" && (await hasGraphicsCard())) return true;
+  if (backend === "webgpu") return false;
+  webGlCard ??= hasWebGlCard();
+  return webGlCard;
 }
 
 export async function hasGraphicsCard() {

@@ -41,7 +41,6 @@ export function Picture({
     if (!element) return;
     const painter = new Painter(element, {
       backend,
-      channel: main ? "picture" : "compare",
       onState,
       onBendProblem: (problem) => {
         if (main) bendProblem.value = problem;

@@ -22,7 +22,8 @@ export type Frond = typeof bindings;
  */
 export const frond: Frond = bindings;
 
-const compile = once(() => compiled(wasmUrl));
+/** What workers are given as well. */
+export const compile = once(() => compiled(wasmUrl));
 
 /** Main thread: compile, start, and return the module, which the workers are given. */
 export async function load(): Promise<WebAssembly.Module> {

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 const { hasWebGpu } = vi.hoisted(() => ({ hasWebGpu: vi.fn(async () => false) }));
-vi.mock("../../pkg/renderer.js", () => ({ hasWebGpu }));
+vi.mock("../../pkg/renderer.js", () => ({ hasWebGpu, drawsOnCard: async () => true }));
 
 let navigation = "navigate";
 const storage = new Map<string, string>();

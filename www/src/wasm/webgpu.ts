@@ -1,7 +1,7 @@
 /**
  * Whether the browser has WebGPU: one that has the interface and no adapter behind it warns each time that it is asked.
  */
-import { hasWebGpu } from "../../pkg/renderer.js";
+import { drawsOnCard, hasWebGpu } from "../../pkg/renderer.js";
 
 const KEY = "frond-no-webgpu";
 
@@ -12,6 +12,9 @@ export async function lacksWebGpu(): Promise<boolean> {
   if (lacks) keep();
   return lacks;
 }
+
+/** Whether the processor draws, whatever interface of a graphics card there is. */
+export const drawsInSoftware = async (): Promise<boolean> => !(await drawsOnCard(await settled({})));
 
 /** What a renderer is asked for, so that it need not ask the browser. */
 export async function settled<Options extends { backend?: string }>(

@@ -1,11 +1,11 @@
 import type { Photograph } from "#document/deform/photograph";
 import type { View } from "#geometry/coordinates";
-import type { Bend, MapRow } from "#wasm/api";
+import type { Bend, MapRow, RasterOptions } from "#wasm/api";
 import { bends, bendsReady, loadBends } from "#wasm/bend";
 import { frond, type RenderStyle } from "#wasm/core";
-import { Coalesce } from "#workers/pool/coalesce";
-import { submit } from "#workers/pool/engine";
-import { type Channel, type Job, single } from "#workers/pool/protocol";
+import { frameTask } from "#workers/frames/client";
+import type { Frame } from "#workers/frames/tasks";
+import { FrameQueue, type Quality } from "./frame-queue";
 import { partsOf, SheetPainter } from "./sheet";
 import type { Drawn, Pixels, Surface, Wanted } from "./surface";
 
@@ -19,26 +19,39 @@ interface Request {
   style: RenderStyle;
   width: number;
   height: number;
+  /** Device pixels for each of CSS. */
+  ratio: number;
 }
 
-/** While things move, a picture with so many times fewer pixels a side comes first. */
+const LANES = 2;
+/** What is bent or a density has no draft: while it moves, it is drawn with so many times fewer pixels a side. */
 const COARSE = 3;
+/** A frame of what moves is to take about so long: where device pixels take longer, it has those of CSS. */
+const FRAME_MS = 12;
 
-/** Fills the canvas with pixels that a worker computes: slower than a graphics card, and never blank. */
+/** Fills the canvas with pixels that workers compute: each frame whole while things move, complete when all rests. */
 export class Fallback implements Surface {
   readonly canvas: HTMLCanvasElement;
-  readonly #onArrival: () => void;
-  readonly #queue = new Coalesce(submit);
-  readonly #channel: Channel;
+  readonly #queue: FrameQueue<Request, Frame>;
   #wanted: Partial<Request> = {};
   #sheet: SheetPainter | null = null;
   #asked: Request | null = null;
-  #arrived: Request | null = null;
+  /** Pixels of a frame of what moves, for each of the canvas and side. */
+  #share = 1;
+  /** How long the last frame of what moves took to draw. */
+  milliseconds = Number.POSITIVE_INFINITY;
 
-  constructor(canvas: HTMLCanvasElement, channel: Channel, onArrival: () => void) {
+  constructor(canvas: HTMLCanvasElement, onArrival: () => void) {
     this.canvas = canvas;
-    this.#onArrival = onArrival;
-    this.#channel = channel;
+    this.#queue = new FrameQueue({
+      lanes: LANES,
+      draw: (request, quality, lane) => this.#draw(request, quality, lane as 0 | 1),
+      show: (frame, request, quality) => {
+        if (frame) this.#paint(request, frame, quality);
+        onArrival();
+      },
+      drop: ({ image }) => image.close(),
+    });
   }
 
   lacks({ bend, picture }: Wanted): Promise<unknown> | null {
@@ -66,7 +79,7 @@ export class Fallback implements Surface {
   }
 
   setView(view: View, ratio: number): void {
-    this.#wanted = { ...this.#wanted, view: { ...view, scale: view.scale * ratio } };
+    this.#wanted = { ...this.#wanted, view: { ...view, scale: view.scale * ratio }, ratio };
   }
 
   setStyle(style: RenderStyle): void {
@@ -75,59 +88,56 @@ export class Fallback implements Surface {
 
   resize(width: number, height: number): void {
     this.#wanted = { ...this.#wanted, width, height };
+    this.#share = 1;
   }
 
   draw(_budget: number): Drawn {
-    const { maps, weights, bend = null, view, style, width, height } = this.#wanted;
+    const { maps, weights, bend = null, view, style, width, height, ratio = 1 } = this.#wanted;
     if (!maps || !view || !style || !width || !height) return { complete: true, settled: true, points: 0 };
     if (this.#sheet) {
       return this.#sheet.draw(this.canvas, { bend, parts: partsOf(maps), view, width, height });
     }
     const asked = this.#asked;
-    const request: Request = { maps, weights, bend, view, style, width, height };
+    const request: Request = { maps, weights, bend, view, style, width, height, ratio };
     if (!asked || KEYS.some((key) => asked[key] !== request[key])) {
       this.#asked = request;
-      this.#queue.request(() => this.#job(request, COARSE));
+      this.#queue.ask(request);
     }
-    const complete = this.#arrived === this.#asked;
+    const { complete } = this.#queue;
     return { complete, settled: complete, points: 0 };
   }
 
-  #job(request: Request, coarse: number): Job<"picture"> {
+  #draw(request: Request, quality: Quality, lane: 0 | 1): Promise<Frame> {
     const { maps, weights, bend, view, style } = request;
-    const options = {
-      width: Math.ceil(request.width / coarse),
-      height: Math.ceil(request.height / coarse),
-      view: { ...view, scale: view.scale / coarse },
+    const moving = quality === "moving";
+    const draft = moving && !bend && style.colouring !== "density";
+    const share = draft ? Math.max(this.#share, 1 / request.ratio) : moving ? 1 / COARSE : 1;
+    const options: RasterOptions = {
+      width: Math.ceil(request.width * share),
+      height: Math.ceil(request.height * share),
+      view: { ...view, scale: view.scale * share },
       colouring: style.colouring,
       palette: style.palette,
       lightGround: style.lightGround ?? false,
+      draft,
       ...(bend ? { bend } : {}),
     };
-    const arrived = () => {
-      if (coarse > 1 && request === this.#asked) this.#queue.request(() => this.#job(request, 1));
-      else this.#arrived = request;
-      this.#onArrival();
-    };
-    return single<"picture">(
-      this.#channel,
-      coarse > 1 ? 55 : 35,
-      { kind: "picture", maps, weights, options },
-      {
-        accept: (bitmap) => {
-          this.#paint(request, bitmap);
-          arrived();
-        },
-        fail: arrived,
-      },
-    );
+    return frameTask("frame", { maps, weights, options }, { lane });
   }
 
-  #paint({ width, height }: Request, bitmap: ImageBitmap): void {
-    this.canvas.width = width;
-    this.canvas.height = height;
-    this.canvas.getContext("2d")?.drawImage(bitmap, 0, 0, width, height);
-    bitmap.close();
+  #paint({ width, height, ratio }: Request, { image, milliseconds }: Frame, quality: Quality): void {
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+    const context = this.canvas.getContext("2d");
+    context?.clearRect(0, 0, width, height);
+    context?.drawImage(image, 0, 0, width, height);
+    image.close();
+    if (quality === "moving") this.milliseconds = milliseconds;
+    // As many pixels as there is time for, between those of CSS and those of the device.
+    if (quality === "moving" && ratio > 1) {
+      const next = this.#share * Math.sqrt(FRAME_MS / Math.max(1, milliseconds));
+      this.#share = Math.min(1, Math.max(1 / ratio, 0.75 * this.#share + 0.25 * next));
+    }
   }
 
   async pixels(): Promise<Pixels> {
@@ -138,6 +148,7 @@ export class Fallback implements Surface {
   }
 
   free(): void {
+    this.#queue.close();
     this.#sheet?.free();
     this.#sheet = null;
   }

@@ -1,8 +1,9 @@
 import { notify, wordsOf } from "#document/notice";
 import type { Bend } from "#wasm/api";
 import { type Backend, createRenderer, type Renderer } from "#wasm/renderer";
-import type { Channel } from "#workers/pool/protocol";
+import { drawsInSoftware } from "#wasm/webgpu";
 import { Accelerated } from "./accelerated";
+import { CardClock } from "./card-clock";
 import { Fallback } from "./fallback";
 import { explainMissing } from "./missing";
 import { Preview } from "./preview";
@@ -38,8 +39,6 @@ export type MainPainter = Pick<Painter, "pixels" | "forceLoss">;
 
 interface PainterOptions {
   backend: "auto" | PainterBackend;
-  /** Where pixels are asked for when there is no graphics device. */
-  channel: Channel;
   onState: (state: PainterState) => void;
   /** A bend that cannot be had, in words, or null once one can. */
   onBendProblem?: (problem: string | null) => void;
@@ -74,6 +73,8 @@ export class Painter {
   #state = UNSEEN;
   #frame = 0;
   #budget = 200_000;
+  /** Tells when the processor is to be tried in place of the card. */
+  #clock = new CardClock();
   #asked = 0;
   #losses: number[] = [];
   #closed = false;
@@ -121,7 +122,9 @@ export class Painter {
     const recent = this.#losses.filter((at) => performance.now() - at < PATIENCE_MS);
     let surface: Surface | null = null;
     const { backend } = this.#options;
-    if (backend !== "canvas" && recent.length < MOST_LOSSES) {
+    // What stands in for a card is the processor too, and slower at it.
+    const software = backend === "auto" && (await drawsInSoftware());
+    if (backend !== "canvas" && !software && recent.length < MOST_LOSSES) {
       try {
         let mine: Renderer | null = null;
         const onLost = (reason: string) => mine && this.#lost(mine, reason);
@@ -137,7 +140,7 @@ export class Painter {
       this.#renderer = null;
       // A canvas that has had one kind of context gives no other.
       const fresh = canvas.cloneNode() as HTMLCanvasElement;
-      surface = new Fallback(fresh, this.#options.channel, () => this.#schedule());
+      surface = new Fallback(fresh, () => this.#schedule());
       this.#set({ backend: "canvas" });
     }
     if (this.#closed) {
@@ -202,6 +205,7 @@ export class Painter {
       return;
     }
     this.#adapt(performance.now() - this.#asked);
+    this.#watch(surface, performance.now() - this.#asked);
     this.#give(surface, this.#wanted);
     if (this.#empty) {
       this.#set({ complete: true, settled: true, points: 0, empty: true });
@@ -223,8 +227,50 @@ export class Painter {
     else if (waited < SOON_MS) this.#budget = Math.min(MOST_BUDGET, this.#budget * 1.15);
   }
 
-  #give(surface: Surface, wanted: Wanted): void {
-    const given = this.#given;
+  /** Where the card is late with what moves, and the processor draws it sooner, the processor takes over. */
+  #watch(surface: Surface, waited: number): void {
+    const { wanted, given } = { wanted: this.#wanted, given: this.#given };
+    if (this.#options.backend !== "auto" || !(surface instanceof Accelerated) || !wanted) return;
+    if (wanted.bend || wanted.picture || wanted.style.colouring === "density") return;
+    if (wanted.width !== given.width || wanted.height !== given.height) this.#clock.reset();
+    if (wanted.maps === given.maps && wanted.view === given.view) return;
+    if (!this.#clock.isLate(waited, this.#budget)) return;
+    const fresh = document.createElement("canvas");
+    fresh.setAttribute("aria-hidden", "true");
+    const next = new Fallback(fresh, () => {
+      if (this.#surface === next) this.#schedule();
+      else if (this.#surface !== surface || this.#closed) next.free();
+      else if (this.#clock.isSlowerThan(next.milliseconds)) this.#replace(surface, next);
+      // The first frames of a worker take longer: it is compiled meanwhile.
+      else if (this.#clock.triesLeft() && this.#wanted) this.#ask(next, this.#wanted);
+      else next.free();
+    });
+    this.#ask(next, wanted);
+  }
+
+  #ask(surface: Surface, wanted: Wanted): void {
+    try {
+      this.#give(surface, wanted, {});
+      surface.draw(0);
+    } catch {
+      surface.free();
+    }
+  }
+
+  /** The other surface has drawn: it takes the place of this one, whose picture it shows as well. */
+  #replace(surface: Surface, next: Surface): void {
+    this.#host.prepend(next.canvas);
+    this.#canvas?.remove();
+    this.#canvas = next.canvas;
+    this.#surface = next;
+    this.#renderer = null;
+    this.#given = {};
+    surface.free();
+    this.#set({ backend: "canvas" });
+    this.#schedule();
+  }
+
+  #give(surface: Surface, wanted: Wanted, given = this.#given): void {
     if (wanted.width !== given.width || wanted.height !== given.height) {
       surface.resize(wanted.width, wanted.height);
     }
@@ -243,7 +289,7 @@ export class Painter {
     if (wanted.view !== given.view || wanted.ratio !== given.ratio || wanted.maps !== given.maps) {
       surface.setView(wanted.view, wanted.ratio);
     }
-    this.#given = wanted;
+    if (surface === this.#surface) this.#given = wanted;
   }
 
   #bend(surface: Surface, bend: Bend | null): void {

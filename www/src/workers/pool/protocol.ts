@@ -173,8 +173,6 @@ export type Channel =
   | "breaks"
   | "strip"
   | "thumbnails"
-  | "picture"
-  | "compare"
   | "export"
   | "certify"
   | "certificate"
