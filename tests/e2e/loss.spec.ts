@@ -50,7 +50,7 @@ test.describe("a renderer that cannot be loaded", () => {
     await studio.open("a=gasket&b=gasket");
     await expect
       .poll(() => studio.said())
-      .toEqual([expect.stringContaining("the picture is computed without it")]);
+      .toEqual([expect.stringContaining("the processor draws the picture")]);
     expect((await studio.look()).lit).toBeGreaterThan(1000);
     expect(await page.evaluate(() => window.frond?.backend())).toBe("canvas");
   });

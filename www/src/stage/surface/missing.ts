@@ -6,7 +6,7 @@ export function explainMissing(problem: unknown): void {
   notify({
     kind: "info",
     text: missing
-      ? "The graphics card is not available, so that the picture is computed without it, slower. Switching on hardware acceleration in the browser's settings brings it back."
-      : `The renderer could not be loaded (${wordsOf(problem)}), so that the picture is computed without it, slower. Reloading the page tries again.`,
+      ? "The graphics card is not available, so the processor draws the picture. To use the card, switch on hardware acceleration in the browser's settings."
+      : `The renderer could not be loaded (${wordsOf(problem)}), so the processor draws the picture. Reload the page to try again.`,
   });
 }

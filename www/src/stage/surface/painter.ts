@@ -4,7 +4,7 @@ import { type Backend, createRenderer, type Renderer } from "#wasm/renderer";
 import { drawsInSoftware } from "#wasm/webgpu";
 import { Accelerated } from "./accelerated";
 import { CardClock } from "./card-clock";
-import { Fallback } from "./fallback";
+import { Processor } from "./processor";
 import { explainMissing } from "./missing";
 import { Preview } from "./preview";
 import type { Pixels, Surface, Wanted } from "./surface";
@@ -140,7 +140,7 @@ export class Painter {
       this.#renderer = null;
       // A canvas that has had one kind of context gives no other.
       const fresh = canvas.cloneNode() as HTMLCanvasElement;
-      surface = new Fallback(fresh, () => this.#schedule());
+      surface = new Processor(fresh, () => this.#schedule());
       this.#set({ backend: "canvas" });
     }
     if (this.#closed) {
@@ -237,7 +237,7 @@ export class Painter {
     if (!this.#clock.isLate(waited, this.#budget)) return;
     const fresh = document.createElement("canvas");
     fresh.setAttribute("aria-hidden", "true");
-    const next = new Fallback(fresh, () => {
+    const next = new Processor(fresh, () => {
       if (this.#surface === next) this.#schedule();
       else if (this.#surface !== surface || this.#closed) next.free();
       else if (this.#clock.isSlowerThan(next.milliseconds)) this.#replace(surface, next);

@@ -1,10 +1,11 @@
 import { bendsReady, loadBends, rasterize } from "#wasm/bend";
 import type { Wanted } from "./surface";
 
-/** As many pixels as are computed within a frame or two on an old telephone. */
-const PIXELS = 120_000;
+/** As many pixels as are computed within a frame or two on an old telephone; of what is bent they take longer. */
+const PIXELS = 600_000;
+const BENT_PIXELS = 120_000;
 
-/** The first picture: computed here and now, coarse, and shown until the renderer has been downloaded. */
+/** The first picture: computed here and now, and shown until the renderer or the workers have been downloaded. */
 export class Preview {
   readonly #canvas = document.createElement("canvas");
   readonly #onReady: () => void;
@@ -30,7 +31,7 @@ export class Preview {
     const same = last?.maps === maps && last.bend === bend && last.view === view;
     if (same && last.width === request.width) return true;
     this.#last = request;
-    const coarse = Math.max(1, Math.sqrt((request.width * request.height) / PIXELS));
+    const coarse = Math.max(1, Math.sqrt((request.width * request.height) / (bend ? BENT_PIXELS : PIXELS)));
     const width = Math.ceil(request.width / coarse);
     const height = Math.ceil(request.height / coarse);
     if (width === 0 || height === 0) return false;
@@ -43,6 +44,7 @@ export class Preview {
           view: { ...view, scale: (view.scale * ratio) / coarse },
           colouring: style.colouring === "density" ? "map" : style.colouring,
           palette: style.palette,
+          draft: true,
           ...(bend ? { bend } : {}),
         },
       );

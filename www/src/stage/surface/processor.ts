@@ -30,7 +30,7 @@ const COARSE = 3;
 const FRAME_MS = 12;
 
 /** Fills the canvas with pixels that workers compute: each frame whole while things move, complete when all rests. */
-export class Fallback implements Surface {
+export class Processor implements Surface {
   readonly canvas: HTMLCanvasElement;
   readonly #queue: FrameQueue<Request, Frame>;
   #wanted: Partial<Request> = {};
