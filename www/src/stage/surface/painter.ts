@@ -4,9 +4,9 @@ import { type Backend, createRenderer, type Renderer } from "#wasm/renderer";
 import { drawsInSoftware } from "#wasm/webgpu";
 import { Accelerated } from "./accelerated";
 import { CardClock } from "./card-clock";
-import { Processor } from "./processor";
 import { explainMissing } from "./missing";
 import { Preview } from "./preview";
+import { Processor } from "./processor";
 import type { Pixels, Surface, Wanted } from "./surface";
 
 export type PainterBackend = Backend | "canvas";
@@ -75,6 +75,8 @@ export class Painter {
   #budget = 200_000;
   /** Tells when the processor is to be tried in place of the card. */
   #clock = new CardClock();
+  /** The processor, while it is tried. */
+  #trial: Surface | null = null;
   #asked = 0;
   #losses: number[] = [];
   #closed = false;
@@ -112,6 +114,7 @@ export class Painter {
     this.#closed = true;
     if (this.#frame) cancelAnimationFrame(this.#frame);
     this.#surface?.free();
+    this.#endTrial();
     this.#canvas?.remove();
     this.#preview?.close();
   }
@@ -239,13 +242,21 @@ export class Painter {
     fresh.setAttribute("aria-hidden", "true");
     const next = new Processor(fresh, () => {
       if (this.#surface === next) this.#schedule();
-      else if (this.#surface !== surface || this.#closed) next.free();
-      else if (this.#clock.isSlowerThan(next.milliseconds)) this.#replace(surface, next);
+      else if (this.#surface === surface && this.#clock.isSlowerThan(next.milliseconds))
+        this.#replace(surface, next);
       // The first frames of a worker take longer: it is compiled meanwhile.
-      else if (this.#clock.triesLeft() && this.#wanted) this.#ask(next, this.#wanted);
-      else next.free();
+      else if (this.#surface === surface && this.#clock.triesLeft() && this.#wanted)
+        this.#ask(next, this.#wanted);
+      else this.#endTrial();
     });
+    this.#endTrial();
+    this.#trial = next;
     this.#ask(next, wanted);
+  }
+
+  #endTrial(): void {
+    this.#trial?.free();
+    this.#trial = null;
   }
 
   #ask(surface: Surface, wanted: Wanted): void {
@@ -253,12 +264,13 @@ export class Painter {
       this.#give(surface, wanted, {});
       surface.draw(0);
     } catch {
-      surface.free();
+      this.#endTrial();
     }
   }
 
   /** The other surface has drawn: it takes the place of this one, whose picture it shows as well. */
   #replace(surface: Surface, next: Surface): void {
+    this.#trial = null;
     this.#host.prepend(next.canvas);
     this.#canvas?.remove();
     this.#canvas = next.canvas;
