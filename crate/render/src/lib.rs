@@ -93,6 +93,9 @@ pub use pieces::letters::{CODES, KEPT, Letters};
 pub use pieces::measure::Sample;
 pub use plan::{Batch, Detail, PlacedPoints, Plan};
 pub use points::{Instance, Vertex};
-pub use raster::{MAX_SIDE, RasterOptions, RenderError, codes, rasterize, rasterize_bent, rasterize_unbent};
+pub use raster::{
+    MAX_SIDE, RasterOptions, RenderError, codes, rasterize, rasterize_bent, rasterize_colours,
+    rasterize_density, rasterize_unbent,
+};
 pub use sheet::{BentSheet, Level, Photo, PhotoError, Sheet, SheetOptions, draw_sheet};
-pub use splat::{Code, Splats};
+pub use splat::{Code, ShortCode, Splats};

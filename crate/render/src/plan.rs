@@ -224,6 +224,7 @@ mod tests {
     use super::*;
     use crate::picture::view::View;
     use crate::raster::swept_codes;
+    use crate::splat::Code;
     use crate::testing::{NASTY, PLAIN, ifs};
 
     const WINDOW: Window = Window { width: 240, height: 180 };
@@ -258,7 +259,8 @@ mod tests {
         let frame = Frame::within(&ifs, &hull);
         let view = view.unwrap_or_else(|| View::fit(&hull, WINDOW.width, WINDOW.height, 0.05));
         let to_screen = view.onto_screen(frame.to_world, WINDOW);
-        let (truth, _) = swept_codes::<u32>(&frame, to_screen, WINDOW, 0.02);
+        let (truth, _) = swept_codes(&frame, to_screen, WINDOW, 0.02);
+        let truth: Vec<u32> = truth.into_iter().map(Code::code).collect();
         let mut plan = Plan::default();
         plan.make(&frame, to_screen, WINDOW, detail);
         let seen = draw(&plan);

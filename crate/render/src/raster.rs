@@ -15,7 +15,7 @@ use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
 use crate::pieces::letters::Letters;
-use crate::splat::{Code, Splats};
+use crate::splat::{Code, ShortCode, Splats};
 
 /// What [`rasterize`] draws.
 #[derive(Clone, Copy, Debug)]
@@ -141,41 +141,42 @@ pub fn rasterize_bent(ifs: &Ifs, bend: &Bend, options: &RasterOptions<'_>) -> Re
 /// # Errors
 /// [`RenderError::TooLarge`] and [`RenderError::View`].
 pub fn rasterize_unbent(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, RenderError> {
-    let Some(mut ground) = Ground::new(ifs, options)? else { return Ok(Vec::new()) };
-    let Ground { frame, view, window, .. } = &ground;
     if options.colouring == Colouring::Density {
-        let density = Density::new(frame, *view, *window, 128, 512);
-        Ok(ground.picture_of_density(density, options))
+        rasterize_density(ifs, options)
     } else {
-        let (fine, scale) = ground.fine(options);
-        let to_fine = view.onto_target(frame.to_world, *window, scale);
-        // Where pieces are shaded after their second and third letters, all of them have to be known.
-        if options.colouring == Colouring::Address {
-            let codes = unbent_codes::<u32>(frame, to_fine, fine, scale, options);
-            Ok(ground.picture_of_codes(&codes, options))
-        } else {
-            let codes = unbent_codes::<u8>(frame, to_fine, fine, scale, options);
-            Ok(ground.picture_of_codes(&codes, options))
-        }
+        rasterize_colours(ifs, options)
     }
 }
 
-/// The codes that the options ask for, of pixels `scale` times as fine as those of the picture.
-fn unbent_codes<C: Code>(
-    frame: &Frame,
-    to_fine: Affine2,
-    fine: Window,
-    scale: f64,
-    options: &RasterOptions<'_>,
-) -> Vec<C> {
-    if !options.draft {
-        return codes(frame, to_fine, fine, CERTAIN_REACH * scale).0;
-    }
-    let mut splats = Splats::draw(frame, to_fine, fine, POINTS_OF_DRAFT);
-    if options.smooth {
-        splats.close_holes();
-    }
-    splats.codes
+/// The density of an attractor at rest, whatever colouring the options ask for.
+///
+/// # Errors
+/// [`RenderError::TooLarge`] and [`RenderError::View`].
+pub fn rasterize_density(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, RenderError> {
+    let Some(mut ground) = Ground::new(ifs, options)? else { return Ok(Vec::new()) };
+    let density = Density::new(&ground.frame, ground.view, ground.window, 128, 512);
+    Ok(ground.picture_of_density(density, options))
+}
+
+/// An attractor at rest in the colours of its pieces: without what draws densities.
+///
+/// # Errors
+/// [`RenderError::TooLarge`] and [`RenderError::View`].
+pub fn rasterize_colours(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, RenderError> {
+    let Some(mut ground) = Ground::new(ifs, options)? else { return Ok(Vec::new()) };
+    let Ground { frame, view, window, .. } = &ground;
+    let (fine, scale) = ground.fine(options);
+    let to_fine = view.onto_target(frame.to_world, *window, scale);
+    let codes = if options.draft {
+        let mut splats = Splats::draw(frame, to_fine, fine, POINTS_OF_DRAFT);
+        if options.smooth {
+            splats.close_holes();
+        }
+        splats.codes
+    } else {
+        codes(frame, to_fine, fine, CERTAIN_REACH * scale).0
+    };
+    Ok(ground.picture_of_codes(&codes, options))
 }
 
 /// What every picture begins with.
@@ -244,7 +245,7 @@ const BENT_DENSITY: (f64, usize, usize) = (16.0, 60_000, 65_536);
 /// Points light most pixels ([`Splats`]), and a sweep of each map finds the others. The first letters are those that a
 /// sweep alone finds; the second and third may be of another piece where the one on top reaches hardly into a pixel.
 #[must_use]
-pub fn codes<C: Code>(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> (Vec<C>, Progress) {
+pub fn codes(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> (Vec<ShortCode>, Progress) {
     let splats = Splats::draw(frame, to_screen, window, POINTS_FIRST);
     if !splats.whole {
         return swept_codes(frame, to_screen, window, detail);
@@ -253,13 +254,14 @@ pub fn codes<C: Code>(frame: &Frame, to_screen: Affine2, window: Window, detail:
     let mut settled = Bitmap::new(window);
     let mut sweep = Sweep::new(frame, to_screen, window, detail);
     let mut progress = Progress::Complete;
+    let maps = frame.maps.len();
     for (letter, map) in frame.maps.iter().enumerate().rev() {
         let letters = Letters::NONE.then(letter);
-        let least = C::of(letters, Letters::NONE);
+        let least = ShortCode::of(letters, maps);
         // Later maps lie on top of this one.
         settled.light_where(&codes, |code| *code >= least);
         sweep.restart_piece_on(frame, Node { map: to_screen * *map, letters }, &settled, detail);
-        if sweep.run(u64::MAX, |hit| put(&mut codes, window, hit)) == Progress::Probed {
+        if sweep.run(u64::MAX, |hit| put(&mut codes, window, hit, frame.maps.len())) == Progress::Probed {
             progress = Progress::Probed;
         }
     }
@@ -267,21 +269,21 @@ pub fn codes<C: Code>(frame: &Frame, to_screen: Affine2, window: Window, detail:
 }
 
 /// The same by a sweep alone, which takes ten times as long where pieces do not overlap without end.
-pub(crate) fn swept_codes<C: Code>(
+pub(crate) fn swept_codes(
     frame: &Frame,
     to_screen: Affine2,
     window: Window,
     detail: f64,
-) -> (Vec<C>, Progress) {
-    let mut codes = vec![C::default(); window.area()];
+) -> (Vec<ShortCode>, Progress) {
+    let mut codes = vec![ShortCode::default(); window.area()];
     let mut sweep = Sweep::new(frame, to_screen, window, detail);
-    let progress = sweep.run(u64::MAX, |hit| put(&mut codes, window, hit));
+    let progress = sweep.run(u64::MAX, |hit| put(&mut codes, window, hit, frame.maps.len()));
     (codes, progress)
 }
 
-fn put<C: Code>(codes: &mut [C], window: Window, hit: Hit) {
+fn put(codes: &mut [ShortCode], window: Window, hit: Hit, maps: usize) {
     let (x, y) = hit.pixel;
-    codes[y as usize * window.width as usize + x as usize] = C::of(hit.letters, Letters::NONE);
+    codes[y as usize * window.width as usize + x as usize] = ShortCode::of(hit.letters, maps);
 }
 
 /// Points a lit pixel of a density picture, and at most in all.

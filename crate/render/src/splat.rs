@@ -18,56 +18,64 @@ use crate::pieces::letters::{KEPT, Letters};
 
 /// What a pixel keeps of the piece on top: 0 where it is dark, and more the higher the piece lies.
 pub trait Code: Copy + Default + Ord {
-    /// Of a point with these letters within a piece with those.
-    fn of(piece: Letters, point: Letters) -> Self;
-    /// Whether the letters of points are of no account in a piece with these.
-    fn is_known(piece: Letters) -> bool;
     /// The same as three letters have it (see [`Letters::code`]).
     fn code(self) -> u32;
 }
 
-/// The first letter, which is all that colours by map need.
-impl Code for u8 {
-    #[inline]
-    fn of(piece: Letters, point: Letters) -> Self {
-        (piece.join(point).packed() >> 12) as u8 + 1
-    }
-
-    fn is_known(piece: Letters) -> bool {
-        piece.count() > 0
-    }
-
-    #[inline]
-    fn code(self) -> u32 {
-        self.checked_sub(1).map_or(0, |first| (u32::from(first) << 12) + 1)
-    }
-}
-
-/// Three letters.
 impl Code for u32 {
-    #[inline]
-    fn of(piece: Letters, point: Letters) -> Self {
-        piece.join(point).code()
-    }
-
-    fn is_known(piece: Letters) -> bool {
-        piece.count() >= KEPT
-    }
-
     #[inline]
     fn code(self) -> u32 {
         self
     }
 }
 
+/// The first three letters of a word in sixteen bits, so that a picture takes little memory. Of more than 32 maps they
+/// are the first two: the third tells colours apart by less than any screen shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ShortCode(u16);
+
+/// Set in the codes of more than 32 maps.
+const MANY: u16 = 1 << 15;
+const MOST_OF_THREE: usize = 32;
+
+impl ShortCode {
+    /// The code of a piece of a system of so many maps.
+    #[inline]
+    #[must_use]
+    pub(crate) fn of(letters: Letters, maps: usize) -> Self {
+        let packed = letters.packed();
+        let short = if maps > MOST_OF_THREE {
+            MANY | (packed >> 6) as u16
+        } else {
+            (packed >> 2 & 0x7c00 | packed >> 1 & 0x03e0 | packed & 0x001f) as u16
+        };
+        Self(short + 1)
+    }
+}
+
+impl Code for ShortCode {
+    #[inline]
+    fn code(self) -> u32 {
+        let Some(short) = self.0.checked_sub(1).map(u32::from) else { return 0 };
+        let packed = if short & u32::from(MANY) == 0 {
+            (short & 0x7c00) << 2 | (short & 0x03e0) << 1 | short & 0x001f
+        } else {
+            (short & 0x0fff) << 6
+        };
+        packed + 1
+    }
+}
+
 /// The codes of a picture, drawn as points.
 #[derive(Debug)]
-pub struct Splats<C> {
+pub struct Splats {
     window: Window,
     /// One a pixel, row after row.
-    pub codes: Vec<C>,
+    pub codes: Vec<ShortCode>,
     /// Whether all pieces were drawn: false where they overlap too much for that.
     pub whole: bool,
+    /// The number of maps.
+    maps: usize,
     /// How many points were drawn.
     pub points: u64,
 }
@@ -86,13 +94,13 @@ const ROUGH_POINTS: f64 = 3.0e6;
 const ROUGH_PIECES: usize = 32;
 const ROUGH_STEPS: f64 = 1.5e6;
 
-impl<C: Code> Splats<C> {
+impl Splats {
     /// Draws the attractor under `to_screen`, from unit coordinates of the frame to pixels, with about `points` points
     /// where that makes it finer.
     #[must_use]
     pub fn draw(frame: &Frame, to_screen: Affine2, window: Window, points: u64) -> Self {
-        let codes = vec![C::default(); window.area()];
-        let mut splats = Self { window, codes, whole: true, points: 0 };
+        let codes = vec![ShortCode::default(); window.area()];
+        let mut splats = Self { window, codes, whole: true, maps: frame.maps.len(), points: 0 };
         if !to_screen.is_finite() {
             return splats;
         }
@@ -169,7 +177,7 @@ impl<C: Code> Splats<C> {
     pub(crate) fn close_holes(&mut self) {
         let width = self.window.width as usize;
         let mut lit = Bitmap::new(self.window);
-        lit.light_where(&self.codes, |code| *code > C::default());
+        lit.light_where(&self.codes, |code| *code > ShortCode::default());
         lit.each_hole(|(x, y)| {
             let at = y as usize * width + x as usize;
             self.codes[at] = self.codes[at - 1];
@@ -181,26 +189,26 @@ impl<C: Code> Splats<C> {
         (pixels.y.0..=pixels.y.1).all(|y| {
             let row = &self.codes[y as usize * width..][pixels.x.0 as usize..=pixels.x.1 as usize];
             // All of a row at once, rather than up to the first that is dark: many at a time.
-            row.iter().fold(true, |lit, code| lit & (*code > C::default()))
+            row.iter().fold(true, |lit, code| lit & (*code > ShortCode::default()))
         })
     }
 
     fn stamp(&mut self, map: &Affine2, letters: Letters, cloud: &Cloud, extent: &Extent) {
         self.points += cloud.len() as u64;
         let place = Placement::new(map, self.window, extent);
-        let known = C::of(letters, Letters::NONE);
-        match (C::is_known(letters), extent.inside) {
+        let known = ShortCode::of(letters, self.maps);
+        match (letters.count() >= KEPT, extent.inside) {
             (true, true) => place.each::<true>(cloud, |at, _| light(&mut self.codes, at, known)),
             (true, false) => place.each::<false>(cloud, |at, _| light(&mut self.codes, at, known)),
             (false, _) => place.each::<false>(cloud, |at, point| {
-                light(&mut self.codes, at, C::of(letters, cloud.letters[point]));
+                light(&mut self.codes, at, ShortCode::of(letters.join(cloud.letters[point]), self.maps));
             }),
         }
     }
 }
 
 #[inline]
-fn light<C: Code>(codes: &mut [C], at: usize, code: C) {
+fn light(codes: &mut [ShortCode], at: usize, code: ShortCode) {
     if let Some(pixel) = codes.get_mut(at) {
         *pixel = (*pixel).max(code);
     }
@@ -295,6 +303,12 @@ mod tests {
         (frame, to_screen)
     }
 
+    /// One more than the first letter of each pixel, 0 where it is dark.
+    fn firsts(codes: &[ShortCode]) -> Vec<u8> {
+        let first = |code: &ShortCode| Letters::of_code(code.code()).map_or(0, |[first, ..]| first as u8 + 1);
+        codes.iter().map(first).collect()
+    }
+
     fn share(of: &[u8], truth: &[u8], differ: impl Fn(u8, u8) -> bool) -> f64 {
         let found = of.iter().zip(truth).filter(|(a, b)| differ(**a, **b)).count();
         found as f64 / truth.iter().filter(|code| **code > 0).count().max(1) as f64
@@ -315,16 +329,17 @@ mod tests {
         for name in PLAIN {
             for zoom in [1.0, 300.0] {
                 let (frame, to_screen) = screen(&ifs(name), zoom);
-                let (truth, _) = swept_codes::<u8>(&frame, to_screen, WINDOW, 0.01);
+                let truth = firsts(&swept_codes(&frame, to_screen, WINDOW, 0.01).0);
                 for points in [FEW, MANY] {
-                    let splats = Splats::<u8>::draw(&frame, to_screen, WINDOW, points);
+                    let splats = Splats::draw(&frame, to_screen, WINDOW, points);
                     assert!(splats.whole, "{name}");
-                    let extra = share(&splats.codes, &truth, |a, b| a > 0 && b == 0);
+                    let drawn = firsts(&splats.codes);
+                    let extra = share(&drawn, &truth, |a, b| a > 0 && b == 0);
                     assert!(extra <= 0.0005, "{name} x{zoom}: {extra} too many");
                     // Lévy's curve is full of gaps of about a pixel.
-                    let holes = holes(&splats.codes, &truth);
+                    let holes = holes(&drawn, &truth);
                     assert!(holes == 0 || (*name == "levy" && points == FEW), "{name} x{zoom}: {holes}");
-                    let missed = share(&splats.codes, &truth, |a, b| a == 0 && b > 0);
+                    let missed = share(&drawn, &truth, |a, b| a == 0 && b > 0);
                     // What is thin has pixels that it hardly reaches into.
                     let full = ["square", "carpet", "dragon"].contains(name);
                     let most = if points == FEW { 0.25 } else { 0.1 } * if full { 0.3 } else { 1.0 };
@@ -341,12 +356,13 @@ mod tests {
         let (mut seen, mut lit) = (0, 0);
         for (name, ifs) in plain.chain(random) {
             let (frame, to_screen) = screen(&ifs, 1.0);
-            let (truth, progress) = swept_codes::<u8>(&frame, to_screen, WINDOW, 0.125);
+            let (truth, progress) = swept_codes(&frame, to_screen, WINDOW, 0.125);
             if progress != crate::Progress::Complete {
                 continue;
             }
-            let (drawn, progress) = codes::<u8>(&frame, to_screen, WINDOW, 0.125);
+            let (drawn, progress) = codes(&frame, to_screen, WINDOW, 0.125);
             assert_eq!(progress, crate::Progress::Complete, "{name}");
+            let (truth, drawn) = (firsts(&truth), firsts(&drawn));
             let count = truth.iter().filter(|code| **code > 0).count();
             let missed = truth.iter().zip(&drawn).filter(|(a, b)| a > b).count();
             // A point on the border of two pixels may fall into either, and a sweep leaves out what hardly reaches in.
@@ -362,9 +378,9 @@ mod tests {
     fn three_letters_are_those_of_a_sweep_but_for_pixels_that_are_hardly_reached() {
         for name in ["gasket", "dragon", "fern", "carpet"] {
             let (frame, to_screen) = screen(&ifs(name), 1.0);
-            let (truth, _) = swept_codes::<u32>(&frame, to_screen, WINDOW, 0.125);
-            let (drawn, _) = codes::<u32>(&frame, to_screen, WINDOW, 0.125);
-            let lit = truth.iter().filter(|code| **code > 0).count();
+            let (truth, _) = swept_codes(&frame, to_screen, WINDOW, 0.125);
+            let (drawn, _) = codes(&frame, to_screen, WINDOW, 0.125);
+            let lit = truth.iter().filter(|code| code.code() > 0).count();
             let differ = truth.iter().zip(&drawn).filter(|(a, b)| a != b).count();
             assert!(differ * 25 < lit, "{name}: {differ} of {lit}");
         }
@@ -376,7 +392,7 @@ mod tests {
         for name in NASTY {
             for zoom in [1.0, 1e4] {
                 let (frame, to_screen) = screen(&ifs(name), zoom);
-                let splats = Splats::<u8>::draw(&frame, to_screen, WINDOW, FEW);
+                let splats = Splats::draw(&frame, to_screen, WINDOW, FEW);
                 assert!(splats.points <= most + 200_000, "{name} x{zoom}: {}", splats.points);
                 if zoom > 1.0 {
                     continue;
@@ -389,7 +405,9 @@ mod tests {
                     let near = (-2..=2).any(|dy| {
                         (-2..=2).any(|dx| {
                             let pixel = WINDOW.pixel(at + DVec2::new(f64::from(dx), f64::from(dy)));
-                            pixel.is_some_and(|(x, y)| splats.codes[(y * WINDOW.width + x) as usize] > 0)
+                            pixel.is_some_and(|(x, y)| {
+                                splats.codes[(y * WINDOW.width + x) as usize].code() > 0
+                            })
                         })
                     });
                     far += u32::from(!near);
@@ -405,8 +423,8 @@ mod tests {
             [("dragon", 1e2), ("dragon", 1e6), ("dragon", 1e9), ("gasket", 1e9), ("fern", 1e5)]
         {
             let (frame, to_screen) = screen(&ifs(name), zoom);
-            let splats = Splats::<u8>::draw(&frame, to_screen, WINDOW, FEW);
-            let lit = splats.codes.iter().filter(|code| **code > 0).count();
+            let splats = Splats::draw(&frame, to_screen, WINDOW, FEW);
+            let lit = splats.codes.iter().filter(|code| code.code() > 0).count();
             assert!(splats.whole && lit > 300, "{name} x{zoom}: {lit}");
             assert!(splats.points < 20 * lit as u64 + 200_000, "{name} x{zoom}: {} for {lit}", splats.points);
         }
@@ -419,23 +437,44 @@ mod tests {
         for map in
             [away, Affine2::from_row([f64::NAN; 6]), Affine2::from_row([1e300, 0.0, 0.0, 1e300, 0.0, 0.0])]
         {
-            let splats = Splats::<u8>::draw(&frame, map, WINDOW, MANY);
-            assert!(map.is_finite() || splats.codes.iter().all(|code| *code == 0));
+            let splats = Splats::draw(&frame, map, WINDOW, MANY);
+            assert!(map.is_finite() || splats.codes.iter().all(|code| code.code() == 0));
         }
         let none = Window { width: 0, height: 0 };
-        assert!(Splats::<u32>::draw(&frame, Affine2::IDENTITY, none, MANY).codes.is_empty());
+        assert!(Splats::draw(&frame, Affine2::IDENTITY, none, MANY).codes.is_empty());
+    }
+
+    #[test]
+    fn short_codes_are_those_of_three_letters_or_of_two_and_lie_as_they_do() {
+        let word = |letters: &[usize]| letters.iter().fold(Letters::NONE, |word, letter| word.then(*letter));
+        let words = [[0, 0, 0], [0, 0, 31], [0, 5, 0], [17, 3, 30], [31, 31, 31]];
+        let shorts = words.map(|letters| ShortCode::of(word(&letters), 32));
+        assert!(shorts.is_sorted());
+        for (letters, short) in words.iter().zip(shorts) {
+            assert_eq!(Letters::of_code(short.code()), Some(*letters));
+        }
+        let many = [[0, 0, 9], [0, 63, 1], [40, 7, 63], [63, 63, 63]];
+        let shorts = many.map(|letters| ShortCode::of(word(&letters), 33));
+        assert!(shorts.is_sorted() && ShortCode::default() < shorts[0]);
+        for ([first, second, _], short) in many.into_iter().zip(shorts) {
+            assert_eq!(Letters::of_code(short.code()), Some([first, second, 0]));
+        }
+        assert_eq!(ShortCode::default().code(), 0);
     }
 
     #[test]
     fn a_dark_pixel_among_eight_that_are_lit_is_closed_and_no_other() {
         let window = Window { width: 70, height: 8 };
-        let mut splats = Splats { window, codes: vec![1_u8; window.area()], whole: true, points: 0 };
+        let mut splats =
+            Splats { window, codes: vec![ShortCode(1); window.area()], whole: true, maps: 1, points: 0 };
         for (x, y) in [(0, 3), (63, 2), (64, 5), (69, 5), (30, 0), (30, 7), (10, 4), (11, 4)] {
-            splats.codes[y * 70 + x] = 0;
+            splats.codes[y * 70 + x] = ShortCode(0);
         }
         splats.close_holes();
-        let dark: Vec<_> =
-            (0..window.area()).filter(|at| splats.codes[*at] == 0).map(|at| (at % 70, at / 70)).collect();
+        let dark: Vec<_> = (0..window.area())
+            .filter(|at| splats.codes[*at].code() == 0)
+            .map(|at| (at % 70, at / 70))
+            .collect();
         assert_eq!(dark, [(30, 0), (0, 3), (10, 4), (11, 4), (69, 5), (30, 7)]);
     }
 }

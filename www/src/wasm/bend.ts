@@ -30,13 +30,18 @@ export function bends(): Bends {
   return here;
 }
 
-/** Draws an attractor; of a bent one, this comes after `loadBends`. */
-export function rasterize(ifs: Ifs, { bend, ...options }: RasterOptions): Uint8ClampedArray {
-  return bend ? bends().rasterize(ifs, { ...options, bend }) : frond.rasterize(ifs, options);
+/** Whether a picture is drawn by what bends: densities are as well, which the first picture does without. */
+const needsBends = ({ bend, colouring }: RasterOptions) => bend !== undefined || colouring === "density";
+
+/** Draws an attractor; of a bent one, and of a density, this comes after `loadBends`. */
+export function rasterize(ifs: Ifs, options: RasterOptions): Uint8ClampedArray {
+  if (needsBends(options)) return bends().rasterize(ifs, options);
+  const { bend: _, ...unbent } = options;
+  return frond.rasterize(ifs, unbent);
 }
 
 /** The same, with what has to be fetched for it. */
 export async function rasterized(ifs: Ifs, options: RasterOptions): Promise<Uint8ClampedArray> {
-  if (options.bend) await loadBends();
+  if (needsBends(options)) await loadBends();
   return rasterize(ifs, options);
 }

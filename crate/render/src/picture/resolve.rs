@@ -109,7 +109,11 @@ struct Mixer<'a> {
 impl Mixer<'_> {
     #[inline]
     fn mix<C: Code>(&mut self, four: [C; 4]) -> [u8; 4] {
-        let four = four.map(C::code);
+        let mut four = four.map(C::code);
+        if self.colours.contrast == 0.0 && self.colours.tinted == 0.0 {
+            // By map, pieces of a map are of one colour.
+            four = four.map(|code| code.saturating_sub(1) & !0xfff | u32::from(code > 0));
+        }
         let hash =
             four.iter().fold(0_u32, |hash, code| (hash ^ code).wrapping_mul(0x9e37_79b1).rotate_left(9));
         let place = &mut self.known[hash as usize % MIXTURES];

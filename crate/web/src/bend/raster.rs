@@ -23,8 +23,8 @@ pub fn rasterize(
         }
         #[cfg(feature = "compute")]
         None => picture(options, |options| frond_render::rasterize_unbent(&ifs, options)),
-        // What draws at rest is in the other module.
+        // What draws the colours of pieces at rest is in the other module.
         #[cfg(not(feature = "compute"))]
-        None => Err(crate::boundary::error::bad_input("The options", "a bend is needed")),
+        None => picture(options, |options| frond_render::rasterize_density(&ifs, options)),
     }
 }

@@ -2,6 +2,7 @@
  * The studio on paper: what a graphics card draws does not come there, so a complete picture stands in, with the maps
  * and the link. Plain nodes and no component: it has to be there before `beforeprint` returns.
  */
+import { effect } from "@preact/signals";
 import { bend } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
 import { selection, shown, shownColours } from "#document/morph";
@@ -14,7 +15,7 @@ import { effectiveView, stageSize } from "#stage/view";
 import { WHITE } from "#style/colours";
 import type { NamedMaps } from "#ui/files/exporting";
 import { whileDrawn } from "#ui/files/saving";
-import { rasterize } from "#wasm/bend";
+import { loadBends, rasterize } from "#wasm/bend";
 import { makePicture } from "#workers/film/picture";
 import { addressOf, stageStill } from "../save";
 import { openedTool } from "../tools";
@@ -22,6 +23,11 @@ import css from "./print.module.css";
 
 /** Pixels of the picture for each of the stage. */
 const FINE = 2;
+
+// The browser prints at once: what draws densities has to be there before.
+effect(() => {
+  if (scene.value.colouring === "density") loadBends().catch(() => {});
+});
 
 let sheet: HTMLElement | null = null;
 /** What stands behind the # of the link. */
