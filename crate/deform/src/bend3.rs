@@ -267,6 +267,16 @@ impl Bend3 {
         }
     }
 
+    /// The same, and how far any point of the piece is from where that map takes it, if that is known. Both hold for
+    /// its parts.
+    #[must_use]
+    pub fn affine(&self, piece: &Piece3) -> Option<(Affine3, f64)> {
+        let (Body::Corners(it), Some(_)) = (&self.body, piece.near) else { return None };
+        // What was found for a larger piece may hold for this one, but is off by more.
+        let Near { frame, off } = self.near(&piece.cursor, it).0;
+        Some((frame, off))
+    }
+
     /// Where the point goes that the piece's map takes `z` to.
     ///
     /// A word that is too short to be shuffled goes on: with corners, through the pieces that hold the point; else with

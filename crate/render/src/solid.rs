@@ -11,11 +11,14 @@
 mod bent;
 mod camera;
 mod depth_buffer;
+mod fine;
 mod hole_fill;
 mod lamp;
+mod lens;
 mod objects;
 mod points;
 mod shade;
+mod shape;
 mod splat;
 mod traversal;
 
@@ -26,6 +29,6 @@ pub use hole_fill::fill_holes;
 pub use lamp::{Lamp, Lighting, Paint};
 pub use objects::Objects;
 pub use points::{Cloud, Eye, Instance3, Vertex3};
-pub use shade::light;
+pub use shade::{light, light_rows, reach_of};
 pub use splat::SplatStep;
 pub use traversal::{MAX_OBJECTS, Traversal, depths};

@@ -19,7 +19,9 @@ struct Lamp {
     height: f32,
     // Pixels of the source for each one that is shown, each way.
     factor: i32,
-    unused: vec2<f32>,
+    // How far hollows are looked for: 1 in a picture that has as many pixels as it is to have in the end.
+    reach: f32,
+    unused: f32,
     // A colour for each object that has one: its alpha is 1.
     tints: array<vec4<f32>, 60>,
 }
@@ -109,8 +111,9 @@ fn ring_at(at: vec2<i32>, depth: f32, normal: vec3<f32>, radius: f32, turn: f32)
 }
 
 fn hollow_at(at: vec2<i32>, depth: f32, normal: vec3<f32>) -> f32 {
-    let sum = 0.2 * ring_at(at, depth, normal, 2.0, 0.0) + 0.3 * ring_at(at, depth, normal, 5.0, 0.25)
-        + 0.3 * ring_at(at, depth, normal, 12.0, 0.5) + 0.2 * ring_at(at, depth, normal, 28.0, 0.75);
+    let radii = lamp.reach * vec4<f32>(2.0, 5.0, 12.0, 28.0);
+    let sum = 0.2 * ring_at(at, depth, normal, radii.x, 0.0) + 0.3 * ring_at(at, depth, normal, radii.y, 0.25)
+        + 0.3 * ring_at(at, depth, normal, radii.z, 0.5) + 0.2 * ring_at(at, depth, normal, radii.w, 0.75);
     return min(sum, 1.0);
 }
 

@@ -37,6 +37,11 @@ impl Bent {
         &self.bend
     }
 
+    /// The shape before it is bent.
+    pub(super) fn ifs(&self) -> &Ifs3 {
+        &self.ifs
+    }
+
     /// The same in other coordinates.
     pub(super) fn moved(&self, by: Affine3) -> Self {
         Self { place: by * self.place, ..self.clone() }

@@ -102,7 +102,8 @@ impl DepthBuffer {
         let (mut x0, mut y0, mut x1, mut y1) = (x0 as usize, y0 as usize, x1 as usize, y1 as usize);
         let (mut farthest, mut width) = (&self.depth, self.width as usize);
         for level in &self.levels {
-            if x1 - x0 < 2 && y1 - y0 < 2 {
+            // A few more are looked at than need be: cells of a level stick out of the box.
+            if x1 - x0 < 4 && y1 - y0 < 4 {
                 break;
             }
             (x0, y0, x1, y1) = (x0 / 2, y0 / 2, x1 / 2, y1 / 2);

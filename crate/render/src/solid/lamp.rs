@@ -85,8 +85,10 @@ pub struct Lamp {
     pub height: f32,
     /// Pixels of the source for each one that is shown, each way.
     pub factor: i32,
+    /// How far hollows are looked for: 1 in a picture that has as many pixels as it is to have in the end.
+    pub reach: f32,
     /// Nothing.
-    pub unused: [f32; 2],
+    pub unused: f32,
     /// A colour for each object that has one: its alpha is 1.
     pub tints: [[f32; 4]; MAX_OBJECTS],
 }
@@ -114,7 +116,8 @@ impl Lamp {
             hollows: part(lighting.hollows),
             height: f32::from(u8::from(lighting.paint == Paint::Height)),
             factor: factor.max(1) as i32,
-            unused: [0.0; 2],
+            reach: 1.0,
+            unused: 0.0,
             tints: std::array::from_fn(tint),
         }
     }

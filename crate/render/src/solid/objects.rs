@@ -1,9 +1,14 @@
 //! All objects of a moment, as pictures need them.
 
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+
 use frond_core::{Affine3, Bounds3, Colouring, Ifs3};
 use glam::DVec3;
 
 use super::points::Cloud;
+use super::shape::Shape;
+use super::traversal::Subject;
 use super::{Bent, Camera, Lighting, Traversal, depths};
 use crate::picture::colour::Colours;
 
@@ -13,6 +18,8 @@ pub struct Objects {
     systems: Vec<Ifs3>,
     bends: Vec<Option<Bent>>,
     bounds: Vec<Bounds3>,
+    /// What traversals need of them, made for the first one.
+    carved: OnceLock<Vec<Carved>>,
     tints: Vec<Option<[f32; 3]>>,
     heights: [f64; 2],
     centre: DVec3,
@@ -20,8 +27,15 @@ pub struct Objects {
     unit: f64,
 }
 
+/// A shape, and where it lies when it is bent as it is.
+#[derive(Clone, Debug)]
+struct Carved {
+    shape: Arc<Shape>,
+    bounds: Bounds3,
+}
+
 /// Scenes of sizes between these are drawn as they are.
-const PLAIN_SIZES: std::ops::Range<f64> = 1e-6..1e6;
+const PLAIN_SIZES: Range<f64> = 1e-6..1e6;
 
 impl Objects {
     /// Of systems, each with a colour for all of it where it has one, and bent where it is.
@@ -58,7 +72,8 @@ impl Objects {
                 (centre, bounds.iter().map(reach).fold(0.0, f64::max))
             }
         };
-        Self { systems, bends, bounds, tints, heights: [least.z, largest.z], centre, radius, unit }
+        let heights = [least.z, largest.z];
+        Self { systems, bends, bounds, carved: OnceLock::new(), tints, heights, centre, radius, unit }
     }
 
     /// The bends, one an object.
@@ -109,7 +124,31 @@ impl Objects {
     /// The complete picture before a camera, not yet begun.
     #[must_use]
     pub fn traversal(&self, camera: &Camera, width: u32, height: u32) -> Traversal {
-        Traversal::of(&self.systems, &self.bends, camera, width, height)
+        self.band(camera, [width, height], 0..height)
+    }
+
+    /// Some rows of it: a picture may be made band by band, side by side.
+    #[must_use]
+    pub fn band(&self, camera: &Camera, size: [u32; 2], rows: Range<u32>) -> Traversal {
+        let carved = self.carved.get_or_init(|| self.carved());
+        let subjects = carved.iter().zip(&self.bends);
+        let subjects =
+            subjects.map(|(Carved { shape, bounds }, bent)| Subject { shape, bent: bent.as_ref(), bounds });
+        Traversal::of(subjects, camera, size, [rows.start, rows.end])
+    }
+
+    fn carved(&self) -> Vec<Carved> {
+        let of = |((ifs, bent), bounds): ((&Ifs3, &Option<Bent>), &Bounds3)| match bent {
+            Some(bent) => {
+                let shape = Shape::new(bent.ifs(), &Bounds3::of(bent.ifs()));
+                Carved { shape: Arc::new(shape), bounds: *bounds }
+            }
+            None => {
+                let bounds = Bounds3::of(ifs);
+                Carved { shape: Arc::new(Shape::new(ifs, &bounds)), bounds }
+            }
+        };
+        self.systems.iter().zip(&self.bends).zip(&self.bounds).map(of).collect()
     }
 
     /// About so many points in all, shared by the objects.

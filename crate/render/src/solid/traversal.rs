@@ -1,21 +1,27 @@
 //! Walking down the trees of pieces before the eye.
 
+use std::sync::Arc;
+
 use frond_core::{Affine3, Bounds3, Ifs3};
 use frond_deform::Piece3;
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
+use super::fine::{Fine, FinePiece, LONGEST_WORD};
+use super::lens::{Footprint, Lens};
 use super::points::OBJECT_BIT;
+use super::shape::{Shape, single};
 use super::{Bent, Camera, DepthBuffer};
 use crate::pieces::letters::Letters;
 
 /// The most systems in one picture.
 pub const MAX_OBJECTS: usize = 60;
-/// A piece whose ball is smaller than this, in pixels across, is a pixel.
-const PIXEL_SIZE: f64 = 1.0;
 /// Nearer than this part of the distance to the farthest point nothing is seen.
 const NEAREST_SHARE: f64 = 1e-3;
-/// The longest word: what is that deep is a pixel, whatever its size.
-const LONGEST_WORD: u32 = 400;
+/// Pieces are followed in single precision from this size on, in pixels across: what is rounded off them, and off where
+/// they are in the picture, is a thousandth of a pixel.
+const FINE_SIZE: f64 = 2048.0;
+/// What is bent is followed as if it were not from where that is off by this part of a pixel.
+const OFF_SIZE: f64 = 0.1;
 
 /// A picture of space in the making: every pixel that a piece in sight reaches, and no other.
 ///
@@ -24,52 +30,25 @@ const LONGEST_WORD: u32 = 400;
 #[derive(Clone, Debug)]
 pub struct Traversal {
     objects: Vec<Object>,
-    focal: f64,
-    near: f64,
+    lens: Lens,
     buffer: DepthBuffer,
     open: Vec<Node>,
     open_bent: Vec<BentNode>,
+    /// Small pieces of one object, this one.
+    fine: Fine,
+    fine_object: u32,
     parts: Vec<BentNode>,
     order: Vec<(f64, usize)>,
 }
 
-/// A system in coordinates in which its maps contract, and what takes these to where the eye is at the origin and z is
-/// depth. A shape that was flattened is carved as what it was flattened from: its pieces are round there, and long
-/// here.
+/// A shape, and what takes its coordinates to where the eye is at the origin and z is depth.
 #[derive(Clone, Debug)]
 struct Object {
-    maps: Vec<Affine3>,
+    shape: Arc<Shape>,
     root: Affine3,
-    /// A ball around it, in these coordinates.
-    centre: DVec3,
-    radius: f64,
-    /// One as the camera has it.
+    /// A ball around it as the camera has it.
     seen: (DVec3, f64),
     bent: Option<Bent>,
-}
-
-impl Object {
-    fn new(ifs: &Ifs3, bent: Option<&Bent>, bounds: &Bounds3, camera: &Camera) -> Self {
-        let place = Affine3::new(camera.turn, -(camera.turn * camera.eye));
-        let bent = bent.map(|bent| bent.moved(place));
-        let seen = (camera.seen(bounds.centre), bounds.radius);
-        let contraction = ifs.contraction();
-        let by = Affine3::new(contraction.to_round, DVec3::ZERO);
-        let back = Affine3::new(contraction.from_round, DVec3::ZERO);
-        let plain = contraction.to_round == DMat3::IDENTITY;
-        // Where it cannot be, it is carved as it is.
-        let round = if plain { None } else { ifs.conjugate(by).ok() };
-        match round {
-            Some(ifs) => {
-                let Bounds3 { centre, radius, .. } = Bounds3::of(&ifs);
-                Self { maps: ifs.maps().to_vec(), root: place * back, centre, radius, seen, bent }
-            }
-            None => {
-                let &Bounds3 { centre, radius, .. } = bounds;
-                Self { maps: ifs.maps().to_vec(), root: place, centre, radius, seen, bent }
-            }
-        }
-    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -89,29 +68,41 @@ struct BentNode {
     ball: (DVec3, f64),
 }
 
-/// What a ball takes up in the picture.
-enum Footprint {
-    None,
-    Pixel([u32; 2]),
-    Box([u32; 4], f64),
+/// What a picture is taken of: a shape, as bent as it is, and where it lies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Subject<'a> {
+    pub shape: &'a Arc<Shape>,
+    pub bent: Option<&'a Bent>,
+    pub bounds: &'a Bounds3,
 }
 
 impl Traversal {
     /// A picture of these systems. Those that are too many are left out.
     #[must_use]
     pub fn new(systems: &[Ifs3], camera: &Camera, width: u32, height: u32) -> Self {
-        Self::of(systems, &[], camera, width, height)
+        let bounds: Vec<Bounds3> = systems.iter().map(Bounds3::of).collect();
+        let shape = |(ifs, bounds)| Arc::new(Shape::new(ifs, bounds));
+        let shapes: Vec<Arc<Shape>> = systems.iter().zip(&bounds).map(shape).collect();
+        let subjects = shapes.iter().zip(&bounds);
+        let subjects = subjects.map(|(shape, bounds)| Subject { shape, bent: None, bounds });
+        Self::of(subjects, camera, [width, height], [0, height])
     }
 
-    /// The same of systems of which some are bent.
-    #[must_use]
-    pub fn of(systems: &[Ifs3], bends: &[Option<Bent>], camera: &Camera, width: u32, height: u32) -> Self {
-        let object = |(number, ifs): (usize, &Ifs3)| {
-            let bent = bends.get(number).and_then(Option::as_ref);
-            let bounds = bent.map_or_else(|| Bounds3::of(ifs), Bent::bounds);
-            Object::new(ifs, bent, &bounds, camera)
+    /// The rows from `rows[0]` on, before `rows[1]`, of a picture that is `width` x `height` pixels large.
+    pub(super) fn of<'a>(
+        subjects: impl Iterator<Item = Subject<'a>>,
+        camera: &Camera,
+        size: [u32; 2],
+        rows: [u32; 2],
+    ) -> Self {
+        let place = Affine3::new(camera.turn, -(camera.turn * camera.eye));
+        let object = |Subject { shape, bent, bounds }: Subject| Object {
+            shape: Arc::clone(shape),
+            root: place * Affine3::new(shape.back, DVec3::ZERO),
+            seen: (camera.seen(bounds.centre), bounds.radius),
+            bent: bent.map(|bent| bent.moved(place)),
         };
-        let objects: Vec<Object> = systems.iter().take(MAX_OBJECTS).enumerate().map(object).collect();
+        let objects: Vec<Object> = subjects.take(MAX_OBJECTS).map(object).collect();
         let far = objects.iter().map(|o| o.seen.0.length() + o.seen.1).fold(0.0, f64::max);
         let node = |(number, object): (usize, &Object)| Node {
             map: object.root,
@@ -131,30 +122,38 @@ impl Traversal {
             let depth = |node: &Node| objects[node.object as usize].seen.0.z;
             depth(b).total_cmp(&depth(a))
         });
+        let lens = Lens::new(camera, size, rows, near(far));
         Self {
-            focal: camera.focal(height),
-            near: near(far),
-            buffer: DepthBuffer::new(width, height),
+            lens,
+            buffer: DepthBuffer::new(lens.width, lens.rows[1] - lens.rows[0]),
             objects,
             open,
             open_bent,
+            fine: Fine::new(&lens),
+            fine_object: 0,
             parts: Vec::new(),
             order: Vec::new(),
         }
     }
 
-    /// Looks at `budget` pieces at most. Whether it is done.
+    /// Looks at `budget` pieces, or a few more. Whether it is done.
     pub fn run(&mut self, budget: usize) -> bool {
-        for _ in 0..budget {
-            if let Some(node) = self.open.pop() {
-                self.visit(node);
+        let mut left = budget;
+        while left > 0 {
+            let shape = self.objects.get(self.fine_object as usize).map(|object| &object.shape);
+            let fine = shape.and_then(|shape| self.fine.step(shape, self.fine_object, &mut self.buffer));
+            let looked = if let Some(looked) = fine {
+                looked
+            } else if let Some(node) = self.open.pop() {
+                self.visit(node)
             } else if let Some(node) = self.open_bent.pop() {
-                self.visit_bent(&node);
+                self.visit_bent(&node)
             } else {
                 return true;
-            }
+            };
+            left = left.saturating_sub(looked);
         }
-        self.open.is_empty() && self.open_bent.is_empty()
+        self.fine.is_done() && self.open.is_empty() && self.open_bent.is_empty()
     }
 
     /// The nearest and the farthest depth that anything can be seen at.
@@ -169,34 +168,56 @@ impl Traversal {
         &self.buffer
     }
 
-    fn visit(&mut self, node: Node) {
-        let &Object { centre, radius, .. } = &self.objects[node.object as usize];
-        let ball = (node.map.apply(centre), node.map.stretch() * radius);
-        if !self.opens(ball, node.letters, node.object, node.depth) {
-            return;
+    /// Looks into a piece, or passes it over. How many were looked at.
+    fn visit(&mut self, node: Node) -> usize {
+        let shape = &self.objects[node.object as usize].shape;
+        let (centre, radius) = (node.map.apply(shape.centre), node.map.stretch() * shape.radius);
+        let Some(nearest) = self.opens((centre, radius), node.letters, node.object, node.depth) else {
+            return 1;
+        };
+        if nearest > self.lens.near && 2.0 * radius * self.lens.focal <= FINE_SIZE * nearest {
+            self.fine_object = node.object;
+            self.fine.open(FinePiece {
+                linear: single(node.map.linear),
+                centre: centre.as_vec3a(),
+                radius: radius as f32,
+                letters: node.letters,
+                depth: node.depth,
+            });
+            return 1;
         }
-        let maps = &self.objects[node.object as usize].maps;
+        let shape = &self.objects[node.object as usize].shape;
         self.order.clear();
-        let depth = |map: &Affine3| node.map.linear.row(2).dot(map.apply(centre));
-        self.order.extend(maps.iter().enumerate().map(|(i, map)| (depth(map), i)));
+        let depth = |map: &Affine3| node.map.linear.row(2).dot(map.apply(shape.centre));
+        self.order.extend(shape.maps.iter().enumerate().map(|(i, map)| (depth(map), i)));
         self.order.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
         for &(_, letter) in &self.order {
             self.open.push(Node {
-                map: node.map * maps[letter],
+                map: node.map * shape.maps[letter],
                 letters: node.letters.then(letter),
                 depth: node.depth + 1,
                 ..node
             });
         }
+        1 + shape.maps.len()
     }
 
-    fn visit_bent(&mut self, node: &BentNode) {
-        if !self.opens(node.ball, node.letters, node.object, node.piece.letters() as u32) {
-            return;
-        }
-        let Some(bent) = &self.objects[node.object as usize].bent else { return };
+    /// The same of a piece that is bent.
+    fn visit_bent(&mut self, node: &BentNode) -> usize {
+        let deep = node.piece.letters() as u32;
+        let Some(nearest) = self.opens(node.ball, node.letters, node.object, deep) else { return 1 };
+        let object = &self.objects[node.object as usize];
+        let Some(bent) = &object.bent else { return 1 };
         let place = bent.place();
         let stretch = place.stretch();
+        if let Some((frame, off)) = bent.bend().affine(&node.piece)
+            && nearest > self.lens.near
+            && off * stretch * self.lens.focal <= OFF_SIZE * nearest
+        {
+            let map = place * frame * Affine3::new(object.shape.back, DVec3::ZERO);
+            self.open.push(Node { map, object: node.object, letters: node.letters, depth: deep });
+            return 1;
+        }
         self.parts.clear();
         self.order.clear();
         for letter in 0..bent.maps() {
@@ -210,69 +231,33 @@ impl Traversal {
         // The nearest is taken first. They are large: their numbers are put in order.
         self.order.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
         self.open_bent.extend(self.order.iter().map(|&(_, letter)| self.parts[letter].clone()));
+        1 + self.parts.len()
     }
 
-    /// Whether a piece in this ball has to be looked into; one that is a pixel is drawn.
-    fn opens(&mut self, (middle, radius): (DVec3, f64), letters: Letters, object: u32, depth: u32) -> bool {
+    /// The nearest depth of a piece in this ball if it has to be looked into; one that is a pixel is drawn.
+    fn opens(
+        &mut self,
+        (middle, radius): (DVec3, f64),
+        letters: Letters,
+        object: u32,
+        depth: u32,
+    ) -> Option<f64> {
         let code = 1 + (letters.packed() | object << OBJECT_BIT);
-        match self.footprint(middle, radius) {
-            Footprint::None => false,
-            Footprint::Pixel([x, y]) => {
-                self.buffer.put(x, y, middle.z as f32, code);
-                false
-            }
+        match self.lens.footprint(middle, radius) {
+            Footprint::None => {}
+            Footprint::Pixel([x, y]) => self.buffer.put(x, y, middle.z as f32, code),
             Footprint::Box(pixels, nearest) => {
                 if self.buffer.hides(pixels, nearest as f32) {
-                    return false;
+                    return None;
                 }
                 if depth < LONGEST_WORD {
-                    return true;
+                    return Some(nearest);
                 }
                 let [x0, y0, x1, y1] = pixels;
                 self.buffer.put(u32::midpoint(x0, x1), u32::midpoint(y0, y1), middle.z as f32, code);
-                false
             }
         }
-    }
-
-    /// Where a ball is seen.
-    fn footprint(&self, middle: DVec3, radius: f64) -> Footprint {
-        let (width, height) = (f64::from(self.buffer.width()), f64::from(self.buffer.height()));
-        if middle.z + radius <= self.near {
-            return Footprint::None;
-        }
-        let nearest = middle.z - radius;
-        if nearest <= self.near {
-            // The eye may be within: all of the picture, unless it lies to a side.
-            let reach = 0.5 * width.hypot(height) / self.focal;
-            let aside = middle.x.hypot(middle.y) - radius;
-            let beyond = aside > reach * (middle.z + radius);
-            let whole = [0, 0, self.buffer.width() - 1, self.buffer.height() - 1];
-            // What is that near and no larger is let go: nobody holds a thing against the eye to see it.
-            return if beyond || radius < 0.5 * self.near {
-                Footprint::None
-            } else {
-                Footprint::Box(whole, self.near)
-            };
-        }
-        let scale = self.focal / middle.z;
-        let (x, y) = (0.5 * width + scale * middle.x, 0.5 * height - scale * middle.y);
-        if 2.0 * radius * scale <= PIXEL_SIZE {
-            let inside = x >= 0.0 && y >= 0.0 && x < width && y < height;
-            return if inside { Footprint::Pixel([x as u32, y as u32]) } else { Footprint::None };
-        }
-        // The ball is within the cone of this slope around its middle's, by its nearest depth.
-        let reach = |along: f64| {
-            let off = radius * (1.0 + (along / middle.z).powi(2)).sqrt();
-            self.focal * off / nearest
-        };
-        let (dx, dy) = (reach(middle.x), reach(middle.y));
-        let (x0, x1, y0, y1) = (x - dx, x + dx, y - dy, y + dy);
-        if x1 < 0.0 || y1 < 0.0 || x0 >= width || y0 >= height {
-            return Footprint::None;
-        }
-        let pixel = |v: f64, side: f64| v.clamp(0.0, side - 1.0) as u32;
-        Footprint::Box([pixel(x0, width), pixel(y0, height), pixel(x1, width), pixel(y1, height)], nearest)
+        None
     }
 }
 
@@ -302,10 +287,13 @@ pub fn depths(bounds: &[Bounds3], camera: &Camera) -> [f32; 2] {
 
 #[cfg(test)]
 mod tests {
+    use std::ops::Range;
+
     use frond_core::{Affine3, Ifs3};
     use glam::DQuat;
 
     use super::*;
+    use crate::solid::Objects;
 
     fn scaled(corners: &[DVec3], scale: f64) -> Ifs3 {
         let map = |&c: &DVec3| Affine3::similitude(scale, DQuat::IDENTITY, c * (1.0 - scale));
@@ -392,5 +380,47 @@ mod tests {
         let flat = Ifs3::new(vec![Affine3::scaling(DVec3::ZERO); 2]).unwrap();
         assert_eq!(done(&[flat], &look(DVec3::Z * 5.0, DVec3::ZERO), 60).lit(), 1);
         assert_eq!(done(&[], &look(DVec3::Z * 5.0, DVec3::ZERO), 60).lit(), 0);
+    }
+
+    #[test]
+    fn bands_of_rows_are_those_of_the_whole_picture() {
+        let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        let objects = Objects::new(vec![cube(), scaled(&corners, 0.45)], vec![], vec![]);
+        let camera = Camera::looking(DVec3::new(3.0, 1.7, 4.1), DVec3::ZERO, DVec3::Y, 0.9).unwrap();
+        let carve = |rows: Range<u32>| {
+            let mut traversal = objects.band(&camera, [90, 70], rows);
+            assert!(traversal.run(usize::MAX));
+            let buffer = traversal.depth_buffer();
+            (buffer.depth().to_vec(), buffer.codes().to_vec())
+        };
+        let (depth, codes) = carve(0..70);
+        assert!(codes.iter().filter(|&&code| code != 0).count() > 500);
+        for cut in [1, 35, 36, 69] {
+            let (above, below) = (carve(0..cut), carve(cut..70));
+            assert_eq!([above.0, below.0].concat(), depth, "{cut}");
+            // Pieces of one depth may take turns.
+            let lit = |codes: &[u32]| codes.iter().map(|&code| code != 0).collect::<Vec<_>>();
+            assert_eq!(lit(&[above.1, below.1].concat()), lit(&codes), "{cut}");
+        }
+    }
+
+    #[test]
+    fn near_a_corner_it_looks_alike_at_any_size() {
+        let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        let ifs = scaled(&corners, 0.5);
+        // Half the angle shows half as much of it, which is a copy of the whole.
+        let look = |angle: f64| {
+            let camera =
+                Camera::looking(DVec3::new(20.0, 16.0, 24.0), DVec3::splat(1e-9), DVec3::Y, angle).unwrap();
+            done(std::slice::from_ref(&ifs), &camera, 128)
+        };
+        let first = look(1e-3);
+        assert!(first.lit() > 500, "{}", first.lit());
+        for halvings in [1, 4, 8, 12] {
+            let next = look(1e-3 * 0.5_f64.powi(halvings));
+            let pairs = first.codes().iter().zip(next.codes());
+            let off = pairs.filter(|(a, b)| (**a == 0) != (**b == 0)).count();
+            assert!(off * 20 < first.lit(), "{halvings}: {off} of {}", first.lit());
+        }
     }
 }
