@@ -286,6 +286,7 @@ function samples(entries) {
       ],
       "HoughFirst.add": () => [new Uint32Array(128 ** 3)],
       "SpacePicture.carve": () => [view(), 8, 8],
+      "SpacePicture.carveRows": () => [view(), 8, 8, 2, 6, 1],
       "SpacePicture.clouds": () => [100],
       "SpaceMesh.file": () => ["stl", ["#112233"]],
       locusCsv: () => [plane, 7, new Uint8Array(49), new Float32Array(49)],

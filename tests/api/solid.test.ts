@@ -88,6 +88,20 @@ describe("space", () => {
     expect(lit(pixels)).toBeGreaterThanOrEqual(300);
     expect(lit(pixels)).toBeLessThan(2600);
     expect(new Set(new Uint32Array(pixels.slice().buffer)).size).toBeGreaterThan(50);
+    // Band by band it is the same.
+    const bands = [
+      [0, 40],
+      [40, 90],
+    ] as const;
+    const parts = bands.map(([from, to]) => {
+      const band = picture.carveRows(view(), 120, 90, from, to, 1);
+      while (!band.run(20_000));
+      expect([band.depth().length, band.codes().length]).toEqual([120 * (to - from), 120 * (to - from)]);
+      return [...band.paint(light(), look(60, 45, 2))];
+    });
+    expect(parts.flat()).toEqual([...pixels]);
+    expect(refused(() => picture.carveRows(view(), 120, 90, 40, 91, 1))).toBe("bad-input");
+    expect(refused(() => picture.carveRows(view(), 120, 90, 40, 40, 1))).toBe("bad-input");
     expect(refused(() => carve.paint(light(), look(60, 45, 1)))).toBe("bad-input");
     expect(refused(() => picture.carve(view(), 0, 90))).toBe("bad-input");
     expect(refused(() => picture.carve(view(), 1e9, 90))).toBe("bad-input");

@@ -1,9 +1,12 @@
 //! Pictures of space: what a renderer is given, and complete ones without a graphics card.
 
+use std::ops::Range;
+
 use frond_core::{Affine3, Ifs3, IfsError, MAX_MAPS};
 use frond_deform::Bend3;
 use frond_render::solid::{
-    Bent, Camera, CameraError, Cloud, Eye, Lamp, Lighting, MAX_OBJECTS, Objects, Paint, Traversal, light,
+    Bent, Camera, CameraError, Cloud, Eye, Lamp, Lighting, MAX_OBJECTS, Objects, Paint, Traversal,
+    light_rows, reach_of,
 };
 use frond_scene::{PaintName, Row3, SpaceBend, SpaceLight, SpaceView};
 use glam::DVec3;
@@ -237,9 +240,33 @@ impl SpacePicture {
         width: f64,
         height: f64,
     ) -> Result<SpaceCarve, JsValue> {
+        self.band(view, width, height, 0.0, height, 0.0)
+    }
+
+    /// The same of the rows from `from` on, before `to`, and of so many more above and below as their light hangs on if
+    /// its hollows have this `reach`: 1 is the usual one, 0 is none.
+    #[wasm_bindgen(js_name = carveRows)]
+    pub fn band(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "SpaceView")] view: JsValue,
+        width: f64,
+        height: f64,
+        from: f64,
+        to: f64,
+        reach: f64,
+    ) -> Result<SpaceCarve, JsValue> {
         let camera = camera_of(view, self.0.unit())?;
-        let traversal = self.0.traversal(&camera, side("width", width)?, side("height", height)?);
-        Ok(SpaceCarve { traversal, camera, objects: self.0.clone() })
+        let size = [side("width", width)?, side("height", height)?];
+        if !(0.0 <= from && from < to && to <= f64::from(size[1])) {
+            return Err(bad_input("The rows", "they are some of the picture's"));
+        }
+        let rows = from as u32..to as u32;
+        let lamp =
+            Lamp { reach: reach as f32, ..Lamp::new(&Lighting::default(), &camera, size, 1, [1.0; 2]) };
+        let margin = if reach > 0.0 { reach_of(&lamp) } else { 0 };
+        let top = rows.start.saturating_sub(margin);
+        let traversal = self.0.band(&camera, size, top..rows.end.saturating_add(margin).min(size[1]));
+        Ok(SpaceCarve { traversal, camera, objects: self.0.clone(), size, top, rows, reach: reach as f32 })
     }
 }
 
@@ -247,29 +274,42 @@ fn bytes(list: &[u8]) -> JsValue {
     Uint8Array::from(list).into()
 }
 
-/// A complete picture in the making.
+/// A complete picture, or some rows of it, in the making.
 #[wasm_bindgen]
 pub struct SpaceCarve {
     traversal: Traversal,
     camera: Camera,
     objects: Objects,
+    /// Of the whole picture.
+    size: [u32; 2],
+    /// The first row that is carved.
+    top: u32,
+    /// Those that are wanted.
+    rows: Range<u32>,
+    reach: f32,
 }
 
 #[wasm_bindgen]
 impl SpaceCarve {
-    /// Looks at `budget` pieces at most. Whether it is done.
+    /// Looks at `budget` pieces, or a few more. Whether it is done.
     pub fn run(&mut self, budget: f64) -> bool {
         self.traversal.run(budget.clamp(1.0, 1e9) as usize)
     }
 
     /// How far away the nearest piece is, row 0 on top; infinite where there is none.
     pub fn depth(&self) -> Float32Array {
-        Float32Array::from(self.traversal.depth_buffer().depth())
+        Float32Array::from(&self.traversal.depth_buffer().depth()[self.wanted()])
     }
 
     /// Which piece it is, 0 where there is none.
     pub fn codes(&self) -> Uint32Array {
-        Uint32Array::from(self.traversal.depth_buffer().codes())
+        Uint32Array::from(&self.traversal.depth_buffer().codes()[self.wanted()])
+    }
+
+    /// Where the rows that are wanted lie among those that are carved.
+    fn wanted(&self) -> Range<usize> {
+        let at = |row: u32| (row - self.top) as usize * self.size[0] as usize;
+        at(self.rows.start)..at(self.rows.end)
     }
 
     /// The picture: RGBA, straight alpha, row 0 on top. `look` says what was carved: width x factor across, height x
@@ -284,13 +324,16 @@ impl SpaceCarve {
         look: JsValue,
     ) -> Result<Uint8ClampedArray, JsValue> {
         let look = LookOf::read(look)?;
-        let size = look.size.map(|side| side * look.factor);
-        let buffer = self.traversal.depth_buffer();
-        if size != [buffer.width(), buffer.height()] {
+        let whole = |row: &u32| row % look.factor == 0;
+        let fits = look.size.map(|side| side * look.factor) == self.size;
+        if !(fits && [self.rows.start, self.rows.end].iter().all(whole)) {
             return Err(bad_input("The look", "it is of another size than what was carved"));
         }
         let lighting = self.objects.lit(lighting_of(&read("The light", plain)?, look.ground));
-        let lamp = Lamp::new(&lighting, &self.camera, size, look.factor, self.traversal.range());
-        Ok(Uint8ClampedArray::from(&light(buffer, &lamp, &self.objects.colours(&look.palette))[..]))
+        let lamp = Lamp::new(&lighting, &self.camera, self.size, look.factor, self.traversal.range());
+        let lamp = Lamp { reach: if self.reach > 0.0 { self.reach } else { lamp.reach }, ..lamp };
+        let (buffer, colours) = (self.traversal.depth_buffer(), self.objects.colours(&look.palette));
+        let rows = self.rows.start / look.factor..self.rows.end / look.factor;
+        Ok(Uint8ClampedArray::from(&light_rows(buffer, self.top, &lamp, &colours, rows)[..]))
     }
 }
