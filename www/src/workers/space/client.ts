@@ -15,10 +15,10 @@ const workers = {
 };
 
 /**
- * Asks the workers of space for something. Lane 0 is the stage's own, so that a picture never waits; 1, where a task
- * goes that does not say, is for what is short; 2 and 3 are for what is long.
+ * Asks the workers of space for something. Lanes 0 and 4 are the stage's own, so that a picture never waits; 1, where a
+ * task goes that does not say, is for what is short; 2 and 3 are for what is long.
  */
-export const spaceTask = client<Tasks, 0 | 1 | 2 | 3>({ ...workers, lane: 1 });
+export const spaceTask = client<Tasks, 0 | 1 | 2 | 3 | 4>({ ...workers, lane: 1 });
 
 /** Workers for one film. */
 export const spaceCrew = () => crew<Tasks>(workers);

@@ -10,16 +10,20 @@ vi.mock("#wasm/space", () => {
     constructor() {
       carving.made++;
     }
-    carve(_view: unknown, width: number, height: number) {
+    carve(view: unknown, width: number, height: number) {
+      return this.carveRows(view, width, height, 0, height);
+    }
+    carveRows(_view: unknown, width: number, height: number, from: number, to: number, _reach = 0) {
       carving.carves++;
       carving.sizes = `${width} x ${height}`;
+      const rows = to - from;
       let left = carving.slices;
       return {
         run: () => --left <= 0,
-        depth: () => new Float32Array(width * height),
-        codes: () => new Uint32Array(width * height),
-        paint: (_light: unknown, look: { width: number; height: number }) =>
-          new Uint8ClampedArray(4 * look.width * look.height),
+        depth: () => new Float32Array(width * rows),
+        codes: () => new Uint32Array(width * rows),
+        paint: (_light: unknown, look: { width: number; factor: number }) =>
+          new Uint8ClampedArray((4 * look.width * rows) / look.factor),
         free: () => carving.carvesFreed++,
       };
     }
@@ -67,11 +71,32 @@ beforeEach(() => {
 
 test("it carves more pixels than it paints, in slices, and hands the picture over", async () => {
   carving.slices = 5;
+  let now = 0;
+  const clock = vi.spyOn(performance, "now").mockImplementation(() => (now += 20));
   const { width, height, data } = await pictureTasks.picture(context, request);
   expect([width, height, data.length]).toEqual([6, 4, 96]);
   expect(carving.sizes).toBe("12 x 8");
+  clock.mockRestore();
   expect(breaths).toBe(4);
   expect(handed).toEqual([data.buffer]);
+});
+
+test("a band has its rows alone, and tells which pieces are seen if it is asked", async () => {
+  const band = { ...request, rows: [2, 6] as const, reach: 1 };
+  const plain = await pictureTasks.band(context, { ...band, codes: false });
+  expect([plain.data.length, plain.codes]).toEqual([4 * 6 * 2, null]);
+  const told = await pictureTasks.band(context, { ...band, codes: true });
+  expect([told.data.length, told.codes?.length]).toEqual([4 * 6 * 2, 12 * 4]);
+  const relief = await pictureTasks.relief(context, { ...request, rows: [1, 4] });
+  expect([relief.width, relief.height, relief.depth.length]).toEqual([6, 3, 18]);
+});
+
+test("a small picture is not kept waiting by breaths", async () => {
+  carving.slices = 5;
+  const clock = vi.spyOn(performance, "now").mockReturnValue(0);
+  await pictureTasks.picture(context, request);
+  clock.mockRestore();
+  expect(breaths).toBe(0);
 });
 
 test("objects are made ready once for as long as they are the same", async () => {

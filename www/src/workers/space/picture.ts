@@ -19,6 +19,24 @@ export interface Painted {
   data: Uint8ClampedArray<ArrayBuffer>;
 }
 
+/** Rows of what is carved, from the first of these on, before the second. */
+export type Rows = readonly [from: number, to: number];
+
+/** Some rows of a picture. */
+export interface BandRequest extends PictureRequest {
+  rows: Rows;
+  /** How far hollows are looked for: 1 in a picture that has as many pixels as it is to have in the end. */
+  reach: number;
+  /** Whether to tell which pieces are seen as well. */
+  codes: boolean;
+}
+
+export interface Band {
+  /** RGBA, straight alpha, row 0 on top. */
+  data: Uint8ClampedArray<ArrayBuffer>;
+  codes: Uint32Array<ArrayBuffer> | null;
+}
+
 /** What a renderer makes a complete picture of. */
 export interface Relief {
   width: number;
@@ -29,11 +47,23 @@ export interface Relief {
   empty: boolean;
 }
 
+export interface ReliefRequest {
+  objects: Shown[];
+  view: SpaceView;
+  width: number;
+  height: number;
+  rows?: Rows;
+}
+
 /** Codes have the number of the object above so many bits, as the carving writes them. */
 const OBJECT_BITS = 18;
 
 /** The object at a place of a relief, from 0 to 1 across and down; null where there is none. */
-export function objectAt({ width, height, codes }: Relief, x: number, y: number): number | null {
+export function objectAt(
+  { width, height, codes }: Pick<Relief, "width" | "height" | "codes">,
+  x: number,
+  y: number,
+): number | null {
   if (!(x >= 0 && x < 1 && y >= 0 && y < 1)) return null;
   const code = codes[Math.floor(y * height) * width + Math.floor(x * width)] ?? 0;
   return code === 0 ? null : (code - 1) >>> OBJECT_BITS;
@@ -64,18 +94,35 @@ export const pictureTasks = {
     }
   },
 
-  /** The complete picture before it is coloured: `width` x `height` are what is carved. */
+  /** Some rows of it. */
+  async band(context: Context, request: BandRequest): Promise<Band> {
+    const { objects, view, light, width, height, palette, ground, factor, rows, reach } = request;
+    const picture = pictured(context, objects);
+    const carve = picture.carveRows(view, width * factor, height * factor, ...rows, reach);
+    try {
+      await carved(context, carve);
+      const look = { width, height, factor, palette, ground };
+      const data = carve.paint(light, look) as Uint8ClampedArray<ArrayBuffer>;
+      const codes = request.codes ? (carve.codes() as Uint32Array<ArrayBuffer>) : null;
+      context.transfer(data.buffer, ...(codes ? [codes.buffer] : []));
+      return { data, codes };
+    } finally {
+      carve.free();
+    }
+  },
+
+  /** The complete picture before it is coloured, or some rows of it: `width` x `height` are what is carved. */
   async relief(
     context: Context,
-    { objects, view, width, height }: { objects: Shown[]; view: SpaceView; width: number; height: number },
+    { objects, view, width, height, rows = [0, height] }: ReliefRequest,
   ): Promise<Relief> {
-    const carve = pictured(context, objects).carve(view, width, height);
+    const carve = pictured(context, objects).carveRows(view, width, height, ...rows, 0);
     try {
       await carved(context, carve);
       const depth = carve.depth() as Float32Array<ArrayBuffer>;
       const codes = carve.codes() as Uint32Array<ArrayBuffer>;
       context.transfer(depth.buffer, codes.buffer);
-      return { width, height, depth, codes, empty: codes.every((code) => code === 0) };
+      return { width, height: rows[1] - rows[0], depth, codes, empty: codes.every((code) => code === 0) };
     } finally {
       carve.free();
     }
@@ -104,11 +151,16 @@ function pictured({ keep }: Context, objects: Shown[]): SpacePictureHandle {
 
 /** In slices, so that a picture that nobody wants any more is left unfinished. */
 async function carved({ breathe }: Context, carve: SpaceCarveHandle): Promise<void> {
+  let breath = performance.now();
   for (let budget = FIRST_PIECES; ; ) {
     const before = performance.now();
     if (carve.run(Math.round(budget))) return;
-    const took = Math.max(0.5, performance.now() - before);
+    const now = performance.now();
+    const took = Math.max(0.5, now - before);
     budget = Math.min(MOST_PIECES, Math.max(LEAST_PIECES, budget * Math.min(4, BREATH / took)));
+    // A breath takes as long as a small picture.
+    if (now - breath < BREATH) continue;
     await breathe();
+    breath = performance.now();
   }
 }

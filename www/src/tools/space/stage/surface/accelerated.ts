@@ -2,7 +2,7 @@ import type { Pixels } from "#stage/surface/surface";
 import { media } from "#style/media";
 import type { SpaceLook } from "#wasm/space";
 import type { SpaceRenderer } from "#wasm/space-renderer";
-import { spaceTask } from "#workers/space/client";
+import { reliefInBands } from "#workers/space/bands";
 import { objectAt, type Relief } from "#workers/space/picture";
 import { Detail, HANDHELD } from "./detail";
 import { type Completed, lookOf, type Surface, sameView, type Wanted } from "./surface";
@@ -60,7 +60,7 @@ export class Accelerated implements Surface {
     for (const factor of wanted.factor === 2 ? ([1, 2] as const) : ([1] as const)) {
       const size = { width: wanted.width * factor, height: wanted.height * factor };
       const args = { objects: sight.objects, view, ...size };
-      const relief = await spaceTask("relief", args, { signal, lane: 0 });
+      const relief = await reliefInBands(args, { signal });
       if (signal.aborted || this.#freed) throw { code: "stopped", message: "Something else was asked for." };
       // The light may have changed meanwhile.
       this.#light(this.#given ?? wanted, 1, factor);

@@ -1,16 +1,20 @@
 import { explainMissing } from "#stage/surface/missing";
 import type { PainterBackend } from "#stage/surface/painter";
+import { hasCard } from "#wasm/card";
 import { createSpaceRenderer } from "#wasm/space-renderer";
 import { Accelerated } from "./accelerated";
 import { Plain } from "./plain";
 import type { Surface } from "./surface";
 
-/** A surface on a canvas that has had no context yet: on the graphics card, or where there is none, without it. */
+/**
+ * A surface on a canvas that has had no context yet: on the graphics card, or where there is none, without it. Where the
+ * processor would stand in for a card it rather carves: it has as much to do, and what moves has faces, not points.
+ */
 export async function openSurface(
   backend: "auto" | PainterBackend,
   onLost: (reason: string) => void,
 ): Promise<Surface> {
-  if (backend !== "canvas") {
+  if (backend !== "canvas" && (backend !== "auto" || (await hasCard()))) {
     const canvas = blank();
     try {
       return new Accelerated(await createSpaceRenderer(canvas, { backend, onLost }), canvas);

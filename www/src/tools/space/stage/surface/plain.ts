@@ -1,19 +1,33 @@
+import type { PainterBackend } from "#stage/surface/painter";
 import type { Pixels } from "#stage/surface/surface";
-import { type PictureRequest, pictureOf } from "#workers/space/complete-picture";
+import { pictureInBands } from "#workers/space/bands";
+import { objectAt, type PictureRequest } from "#workers/space/picture";
+import { Pace } from "./pace";
 import { type Completed, lookOf, type Surface, sameView, type Wanted } from "./surface";
 
-/** While things move, a picture with so many times fewer pixels a side. */
-const COARSE = 4;
+/** Which pieces are seen in a picture, pixel by pixel. */
+interface Seen {
+  width: number;
+  height: number;
+  codes: Uint32Array<ArrayBuffer>;
+}
 
-/** Fills the canvas with pictures that a worker carves: slower than a graphics card, and never blank. */
+/**
+ * Fills the canvas with pictures that workers carve: with fewer pixels while something moves, so that they come in time.
+ * Slower than a graphics card, and never blank.
+ */
 export class Plain implements Surface {
   readonly canvas: HTMLCanvasElement;
-  readonly backend = "canvas";
-  /** What is being made coarsely, and what is to be made next. */
-  #making: Wanted | null = null;
+  readonly backend: PainterBackend = "canvas";
+  readonly #pace = new Pace();
+  /** Whether a picture of the movement is being made, and what the next is to show: none waits for another. */
+  #making = false;
   #next: Wanted | null = null;
   /** The last one that was completed or is being: a coarse picture must not come after it. */
   #completing: Wanted | null = null;
+  /** Of the picture that is shown; null while things move. */
+  #seen: Seen | null = null;
+  readonly #small = document.createElement("canvas");
   readonly #end = new AbortController();
 
   constructor(canvas: HTMLCanvasElement) {
@@ -34,28 +48,35 @@ export class Plain implements Surface {
     wanted.sight.handle.uniforms(wanted.view, wanted.light, lookOf(wanted));
     if (this.#completing && this.keeps(this.#completing, wanted)) return { points: 0 };
     this.#completing = null;
+    this.#seen = null;
     this.#next = wanted;
     if (!this.#making) void this.#make();
     return { points: 0 };
   }
 
   async #make(): Promise<void> {
+    this.#making = true;
     while (this.#next && !this.#end.signal.aborted) {
       const wanted = this.#next;
-      this.#making = wanted;
       this.#next = null;
       try {
-        const size = {
-          width: Math.ceil(wanted.width / COARSE),
-          height: Math.ceil(wanted.height / COARSE),
-        };
-        const image = await pictureOf({ ...request(wanted), ...size, factor: 1 }, this.#options());
-        if (!this.#completing) this.#put(image, wanted);
+        await this.#moving(wanted);
       } catch {
         // The next one may come, and the complete one says what is wrong.
       }
     }
-    this.#making = null;
+    this.#making = false;
+  }
+
+  async #moving(wanted: Wanted): Promise<void> {
+    const { shrink } = this.#pace;
+    const size = { width: Math.ceil(wanted.width / shrink), height: Math.ceil(wanted.height / shrink) };
+    const began = performance.now();
+    // Hollows are as wide as in the picture that it comes to rest in.
+    const options = { reach: 1 / (shrink * wanted.factor), signal: this.#end.signal };
+    const { image } = await pictureInBands({ ...request(wanted), ...size, factor: 1 }, options);
+    this.#pace.frame(performance.now() - began, shrink);
+    if (!this.#completing) this.#put(image, wanted);
   }
 
   async complete(
@@ -67,9 +88,11 @@ export class Plain implements Surface {
     this.#next = null;
     try {
       for (const factor of wanted.factor === 2 ? ([1, 2] as const) : ([1] as const)) {
-        const image = await pictureOf({ ...request(wanted), factor }, { signal, lane: 0 });
+        const options = { reach: factor / wanted.factor, codes: factor === 1, signal };
+        const { image, codes } = await pictureInBands({ ...request(wanted), factor }, options);
         if (signal.aborted) throw { code: "stopped", message: "Something else was asked for." };
         this.#put(image, wanted);
+        if (codes) this.#seen = { width: wanted.width, height: wanted.height, codes };
         onShown({ empty: image.data.every((value, i) => i % 4 !== 3 || value === 0) });
       }
     } catch (problem) {
@@ -78,29 +101,27 @@ export class Plain implements Surface {
     }
   }
 
-  #options(): { signal: AbortSignal; lane: 0 } {
-    return { signal: this.#end.signal, lane: 0 };
-  }
-
   #put(image: ImageData, { width, height }: Wanted): void {
-    this.canvas.width = width;
-    this.canvas.height = height;
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
     const context = this.canvas.getContext("2d");
     if (!context) return;
     if (image.width === width && image.height === height) {
       context.putImageData(image, 0, 0);
       return;
     }
-    const small = document.createElement("canvas");
-    small.width = image.width;
-    small.height = image.height;
-    small.getContext("2d")?.putImageData(image, 0, 0);
-    context.drawImage(small, 0, 0, width, height);
+    this.#small.width = image.width;
+    this.#small.height = image.height;
+    this.#small.getContext("2d")?.putImageData(image, 0, 0);
+    context.clearRect(0, 0, width, height);
+    context.imageSmoothingQuality = "high";
+    context.drawImage(this.#small, 0, 0, width, height);
   }
 
-  objectAt(): null {
-    // Pictures come painted: nobody has kept what is where.
-    return null;
+  objectAt(x: number, y: number): number | null {
+    return this.#seen ? objectAt(this.#seen, x, y) : null;
   }
 
   async pixels(): Promise<Pixels> {
