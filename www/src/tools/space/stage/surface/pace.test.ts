@@ -49,5 +49,11 @@ describe("the pace of a movement", () => {
 
   it("has a coarsest picture", () => {
     expect(paced(50, () => 1000).shrink).toBe(SHRINKS.at(-1));
+    const small = new Pace();
+    small.stage(600 * 400);
+    // 190 x 126 pixels are nearly as few as there may be.
+    expect(paced(50, () => 1000, small).shrink).toBe(3);
+    small.stage(100 * 100);
+    expect(small.shrink).toBe(1);
   });
 });

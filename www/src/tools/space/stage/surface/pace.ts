@@ -2,6 +2,8 @@
 
 /** So many pixels of the stage are one of the picture, each way. */
 export const SHRINKS = [1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12] as const;
+/** Fewer pixels do not come sooner, whatever keeps them. */
+const FEWEST_PIXELS = 24_000;
 /** Where a movement begins, before anything was measured. */
 const FIRST = SHRINKS.indexOf(3);
 
@@ -14,7 +16,16 @@ const PATIENCE = 6;
 /** Goes by how long frames take. */
 export class Pace {
   #at: number = FIRST;
+  /** The coarsest that there is to be. */
+  #most = SHRINKS.length - 1;
   #soon = 0;
+
+  /** The stage has so many pixels. */
+  stage(pixels: number): void {
+    const coarser = SHRINKS.findIndex((shrink) => pixels < FEWEST_PIXELS * shrink ** 2);
+    this.#most = coarser < 0 ? SHRINKS.length - 1 : Math.max(0, coarser - 1);
+    this.#at = Math.min(this.#at, this.#most);
+  }
 
   get shrink(): number {
     return SHRINKS[this.#at] as number;
@@ -27,7 +38,7 @@ export class Pace {
     if (milliseconds > LATE_MS) {
       this.#soon = 0;
       this.#at = Math.max(this.#at + 1, this.#fitting(milliseconds));
-      this.#at = Math.min(this.#at, SHRINKS.length - 1);
+      this.#at = Math.min(this.#at, this.#most);
       return;
     }
     const finer = SHRINKS[this.#at - 1];

@@ -69,6 +69,7 @@ export class Plain implements Surface {
   }
 
   async #moving(wanted: Wanted): Promise<void> {
+    this.#pace.stage(wanted.width * wanted.height);
     const { shrink } = this.#pace;
     const size = { width: Math.ceil(wanted.width / shrink), height: Math.ceil(wanted.height / shrink) };
     const began = performance.now();
