@@ -11,8 +11,25 @@ export function bandsOf(height: number, factor: number, count: number): Rows[] {
   return Array.from({ length: bands }, (_, band): Rows => [border(band), border(band + 1)]);
 }
 
-/** As many as there are cores for. */
-const hands = () => LANES.slice(0, Math.max(1, navigator.hardwareConcurrency || 1));
+/** Bands a worker of a picture at rest: where most is to be seen one of them takes longer, and others go on meanwhile. */
+const BANDS_AT_REST = 3;
+
+/** Has bands made by as many workers as there are cores for, each the next one that nobody has taken. */
+async function byAll<T>(
+  rows: { height: number; factor: number; atRest: boolean },
+  make: (rows: Rows, lane: 0 | 4) => Promise<T>,
+): Promise<{ from: number; made: T }[]> {
+  const lanes = LANES.slice(0, Math.max(1, navigator.hardwareConcurrency || 1));
+  const bands = bandsOf(rows.height, rows.factor, lanes.length * (rows.atRest ? BANDS_AT_REST : 1));
+  const made: { from: number; made: T }[] = [];
+  let next = 0;
+  const work = async (lane: 0 | 4) => {
+    for (let band = bands[next++]; band; band = bands[next++])
+      made.push({ from: band[0], made: await make(band, lane) });
+  };
+  await Promise.all(lanes.map(work));
+  return made;
+}
 
 export interface Banded {
   image: ImageData;
@@ -22,49 +39,41 @@ export interface Banded {
 
 /**
  * A complete picture by all workers of the stage; `reach` says how far hollows are looked for, 1 in a picture that has
- * as many pixels as it is to have in the end. Rejected with `{ code: "stopped" }` when called off.
+ * as many pixels as it is to have in the end. One `atRest` is none of many that follow each other. Rejected with
+ * `{ code: "stopped" }` when called off.
  */
 export async function pictureInBands(
   request: PictureRequest,
-  { reach, codes = false, signal }: { reach: number; codes?: boolean; signal: AbortSignal },
+  options: { reach: number; codes?: boolean; atRest: boolean; signal: AbortSignal },
 ): Promise<Banded> {
   const { width, height, factor } = request;
-  const lanes = hands();
-  const bands = bandsOf(height, factor, lanes.length);
-  const made = await Promise.all(
-    bands.map((rows, i) =>
-      spaceTask("band", { ...request, rows, reach, codes }, { signal, lane: lanes[i] ?? 0 }),
-    ),
+  const { reach, codes = false, atRest, signal } = options;
+  const bands = await byAll({ height, factor, atRest }, (rows, lane) =>
+    spaceTask("band", { ...request, rows, reach, codes }, { signal, lane }),
   );
   const image = new ImageData(width, height);
   const seen = codes ? new Uint32Array(width * height * factor * factor) : null;
-  for (const [i, { data, codes: here }] of made.entries()) {
-    const from = bands[i]?.[0] ?? 0;
-    image.data.set(data, (from / factor) * width * 4);
-    if (here) seen?.set(here, from * width * factor);
+  for (const { from, made } of bands) {
+    image.data.set(made.data, (from / factor) * width * 4);
+    if (made.codes) seen?.set(made.codes, from * width * factor);
   }
   return { image, codes: seen };
 }
 
-/** The same before it is coloured. */
+/** The same at rest, before it is coloured. */
 export async function reliefInBands(
   request: ReliefRequest,
-  options: { signal: AbortSignal },
+  { signal }: { signal: AbortSignal },
 ): Promise<Relief> {
   const { width, height } = request;
-  const lanes = hands();
-  const bands = bandsOf(height, 1, lanes.length);
-  const [first, ...others] = await Promise.all(
-    bands.map((rows, i) => spaceTask("relief", { ...request, rows }, { ...options, lane: lanes[i] ?? 0 })),
+  const bands = await byAll({ height, factor: 1, atRest: true }, (rows, lane) =>
+    spaceTask("relief", { ...request, rows }, { signal, lane }),
   );
-  if (first && others.length === 0) return first;
-  const parts = first ? [first, ...others] : others;
   const depth = new Float32Array(width * height);
   const codes = new Uint32Array(width * height);
-  for (const [i, part] of parts.entries()) {
-    const at = (bands[i]?.[0] ?? 0) * width;
-    depth.set(part.depth, at);
-    codes.set(part.codes, at);
+  for (const { from, made } of bands) {
+    depth.set(made.depth, from * width);
+    codes.set(made.codes, from * width);
   }
-  return { width, height, depth, codes, empty: parts.every(({ empty }) => empty) };
+  return { width, height, depth, codes, empty: bands.every(({ made }) => made.empty) };
 }

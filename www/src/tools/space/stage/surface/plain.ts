@@ -74,7 +74,7 @@ export class Plain implements Surface {
     const size = { width: Math.ceil(wanted.width / shrink), height: Math.ceil(wanted.height / shrink) };
     const began = performance.now();
     // Hollows are as wide as in the picture that it comes to rest in.
-    const options = { reach: 1 / (shrink * wanted.factor), signal: this.#end.signal };
+    const options = { reach: 1 / (shrink * wanted.factor), atRest: false, signal: this.#end.signal };
     const { image } = await pictureInBands({ ...request(wanted), ...size, factor: 1 }, options);
     this.#pace.frame(performance.now() - began, shrink);
     if (!this.#completing) this.#put(image, wanted);
@@ -89,7 +89,7 @@ export class Plain implements Surface {
     this.#next = null;
     try {
       for (const factor of wanted.factor === 2 ? ([1, 2] as const) : ([1] as const)) {
-        const options = { reach: factor / wanted.factor, codes: factor === 1, signal };
+        const options = { reach: factor / wanted.factor, codes: factor === 1, atRest: true, signal };
         const { image, codes } = await pictureInBands({ ...request(wanted), factor }, options);
         if (signal.aborted) throw { code: "stopped", message: "Something else was asked for." };
         this.#put(image, wanted);
