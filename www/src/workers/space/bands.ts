@@ -11,7 +11,7 @@ export function bandsOf(height: number, factor: number, count: number): Rows[] {
   return Array.from({ length: bands }, (_, band): Rows => [border(band), border(band + 1)]);
 }
 
-/** Bands a worker of a picture at rest: where most is to be seen one of them takes longer, and others go on meanwhile. */
+/** Bands a worker of a picture at rest: where most is to be seen one takes longer, and others go on meanwhile. */
 const BANDS_AT_REST = 3;
 
 /** Has bands made by as many workers as there are cores for, each the next one that nobody has taken. */

@@ -7,8 +7,8 @@ import { Plain } from "./plain";
 import type { Surface } from "./surface";
 
 /**
- * A surface on a canvas that has had no context yet: on the graphics card, or where there is none, without it. Where the
- * processor would stand in for a card it rather carves: it has as much to do, and what moves has faces, not points.
+ * A surface on a canvas that has had no context yet: on the graphics card, or where there is none, without it. Where
+ * the processor would stand in for a card it rather carves: it has as much to do, and what moves has faces, not points.
  */
 export async function openSurface(
   backend: "auto" | PainterBackend,

@@ -13,8 +13,8 @@ interface Seen {
 }
 
 /**
- * Fills the canvas with pictures that workers carve: with fewer pixels while something moves, so that they come in time.
- * Slower than a graphics card, and never blank.
+ * Fills the canvas with pictures that workers carve: with fewer pixels while something moves, so that they come in
+ * time. Slower than a graphics card, and never blank.
  */
 export class Plain implements Surface {
   readonly canvas: HTMLCanvasElement;
