@@ -81,8 +81,14 @@ impl Shape {
     }
 }
 
-/// A matrix in single precision.
+/// What is smaller than this part of a matrix's largest entry is taken for 0.
+const NOTHING_SHARE: f64 = 1e-12;
+
+/// A matrix in single precision. What is left of an angle's rounding is let go: its squares would be numbers so small
+/// that processors take a hundred times as long for them.
 pub(super) fn single(m: DMat3) -> Mat3A {
-    let column = |k: usize| -> Vec3A { m.col(k).as_vec3a() };
+    let least = NOTHING_SHARE * m.to_cols_array().into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let entry = |x: f64| if x.abs() < least { 0.0 } else { x as f32 };
+    let column = |k: usize| Vec3A::from_array(m.col(k).to_array().map(entry));
     Mat3A::from_cols(column(0), column(1), column(2))
 }
