@@ -6,7 +6,7 @@ import { Accelerated } from "./accelerated";
 import { CardClock } from "./card-clock";
 import { explainMissing } from "./missing";
 import { Preview } from "./preview";
-import { Processor } from "./processor";
+import type { Processor } from "./processor";
 import type { Pixels, Surface, Wanted } from "./surface";
 
 export type PainterBackend = Backend | "canvas";
@@ -53,6 +53,9 @@ const LEAST_BUDGET = 20_000;
 const MOST_BUDGET = 8_000_000;
 const SOON_MS = 18;
 const LATE_MS = 30;
+
+/** What draws without a card: not before it is known that none draws, or that it is late. */
+const loadProcessor = (): Promise<{ Processor: typeof Processor }> => import("./processor");
 
 /**
  * Keeps one canvas showing what it is told to, and draws only when there is something new to draw. A lost device costs
@@ -143,6 +146,7 @@ export class Painter {
       this.#renderer = null;
       // A canvas that has had one kind of context gives no other.
       const fresh = canvas.cloneNode() as HTMLCanvasElement;
+      const { Processor } = await loadProcessor();
       surface = new Processor(fresh, () => this.#schedule());
       this.#set({ backend: "canvas" });
     }
@@ -215,11 +219,11 @@ export class Painter {
       this.#endPreview();
       return;
     }
-    const { complete, settled, points } = surface.draw(this.#budget);
+    const { complete, settled, points, whole = complete } = surface.draw(this.#budget);
     // A picture is no cloud of points: what its renderer counts are triangles.
     this.#set({ complete, settled, points: this.#wanted.picture ? 0 : points, empty: false });
-    // The renderer begins coarser than the preview is.
-    if (complete || (points > 0 && performance.now() > this.#deadline)) this.#endPreview();
+    // A renderer begins coarser than the preview is.
+    if (whole || (points > 0 && performance.now() > this.#deadline)) this.#endPreview();
     if (!settled) this.#schedule();
   }
 
@@ -237,7 +241,13 @@ export class Painter {
     if (wanted.bend || wanted.picture || wanted.style.colouring === "density") return;
     if (wanted.width !== given.width || wanted.height !== given.height) this.#clock.reset();
     if (wanted.maps === given.maps && wanted.view === given.view) return;
-    if (!this.#clock.isLate(waited, this.#budget)) return;
+    if (this.#clock.isLate(waited, this.#budget)) void this.#try(surface);
+  }
+
+  async #try(surface: Surface): Promise<void> {
+    const { Processor } = await loadProcessor();
+    const wanted = this.#wanted;
+    if (this.#surface !== surface || this.#closed || !wanted) return;
     const fresh = document.createElement("canvas");
     fresh.setAttribute("aria-hidden", "true");
     const next = new Processor(fresh, () => {

@@ -104,7 +104,7 @@ export class Processor implements Surface {
       this.#queue.ask(request);
     }
     const { complete } = this.#queue;
-    return { complete, settled: complete, points: 0 };
+    return { complete, settled: complete, points: 0, whole: this.milliseconds < Number.POSITIVE_INFINITY };
   }
 
   #draw(request: Request, quality: Quality, lane: 0 | 1): Promise<Frame> {

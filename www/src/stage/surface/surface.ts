@@ -16,6 +16,8 @@ export interface Drawn {
   /** Drawing on would change nothing. */
   settled: boolean;
   points: number;
+  /** What is shown lacks nothing that one would see, complete or not. */
+  whole?: boolean;
 }
 
 /** What a picture is to show. Sizes are device pixels. */

@@ -1,7 +1,7 @@
 import { explainMissing } from "#stage/surface/missing";
 import type { PainterBackend } from "#stage/surface/painter";
-import { hasCard } from "#wasm/card";
 import { createSpaceRenderer } from "#wasm/space-renderer";
+import { drawsInSoftware } from "#wasm/webgpu";
 import { Accelerated } from "./accelerated";
 import { Plain } from "./plain";
 import type { Surface } from "./surface";
@@ -14,7 +14,7 @@ export async function openSurface(
   backend: "auto" | PainterBackend,
   onLost: (reason: string) => void,
 ): Promise<Surface> {
-  if (backend !== "canvas" && (backend !== "auto" || (await hasCard()))) {
+  if (backend !== "canvas" && (backend !== "auto" || !(await drawsInSoftware()))) {
     const canvas = blank();
     try {
       return new Accelerated(await createSpaceRenderer(canvas, { backend, onLost }), canvas);
