@@ -184,6 +184,7 @@ impl Splats {
         });
     }
 
+    #[inline(never)]
     fn all_lit(&self, pixels: PixelBox) -> bool {
         let width = self.window.width as usize;
         (pixels.y.0..=pixels.y.1).all(|y| {
@@ -196,21 +197,15 @@ impl Splats {
     fn stamp(&mut self, map: &Affine2, letters: Letters, cloud: &Cloud, extent: &Extent) {
         self.points += cloud.len() as u64;
         let place = Placement::new(map, self.window, extent);
-        let known = ShortCode::of(letters, self.maps);
-        match (letters.count() >= KEPT, extent.inside) {
-            (true, true) => place.each::<true>(cloud, |at, _| light(&mut self.codes, at, known)),
-            (true, false) => place.each::<false>(cloud, |at, _| light(&mut self.codes, at, known)),
-            (false, _) => place.each::<false>(cloud, |at, point| {
-                light(&mut self.codes, at, ShortCode::of(letters.join(cloud.letters[point]), self.maps));
-            }),
-        }
-    }
-}
-
-#[inline]
-fn light(codes: &mut [ShortCode], at: usize, code: ShortCode) {
-    if let Some(pixel) = codes.get_mut(at) {
-        *pixel = (*pixel).max(code);
+        let known = letters.count() >= KEPT;
+        let code = ShortCode::of(letters, self.maps);
+        place.each(cloud, |at, point| {
+            if let Some(pixel) = self.codes.get_mut(at) {
+                let code =
+                    if known { code } else { ShortCode::of(letters.join(cloud.letters[point]), self.maps) };
+                *pixel = (*pixel).max(code);
+            }
+        });
     }
 }
 
@@ -231,8 +226,10 @@ struct Placement {
 /// Added to a number from 0 to 2^22, this leaves the nearest integer in its low bits; taken off again, that integer.
 const TO_INTEGER: f32 = 8_388_608.0;
 const INTEGER_BITS: u32 = 0x007f_ffff;
-/// Points that are placed at once.
-pub(super) const LANES: usize = 8;
+/// No place: larger than all that have so many bits.
+const OUTSIDE: u32 = u32::MAX;
+/// Points that are placed at once: as many as an instruction of WebAssembly takes.
+const LANES: usize = 4;
 
 impl Placement {
     fn new(map: &Affine2, window: Window, extent: &Extent) -> Self {
@@ -252,7 +249,7 @@ impl Placement {
 
     /// Tells where each point is among the pixels, and which it is; a place that there is not for one outside.
     #[inline]
-    fn each<const INSIDE: bool>(&self, cloud: &Cloud, mut put: impl FnMut(usize, usize)) {
+    fn each(&self, cloud: &Cloud, mut put: impl FnMut(usize, usize)) {
         let [a, b, c, d] = self.linear;
         let [e, f] = self.translation;
         let chunks = cloud.xs.chunks_exact(LANES).zip(cloud.ys.chunks_exact(LANES)).enumerate();
@@ -262,15 +259,15 @@ impl Placement {
                 let x = (a * xs[k] + b * ys[k] + e + TO_INTEGER) - TO_INTEGER;
                 let y = (c * xs[k] + d * ys[k] + f + TO_INTEGER) - TO_INTEGER;
                 let place = (y * self.width + x + TO_INTEGER).to_bits() & INTEGER_BITS;
-                let inside = INSIDE
-                    || (x >= self.low[0]) & (y >= self.low[1]) & (x < self.high[0]) & (y < self.high[1]);
-                places[k] = if inside { place } else { u32::MAX };
+                let inside =
+                    (x >= self.low[0]) & (y >= self.low[1]) & (x < self.high[0]) & (y < self.high[1]);
+                places[k] = if inside { place } else { OUTSIDE };
             }
             for (k, place) in places.into_iter().enumerate() {
-                let at = if INSIDE || place != u32::MAX {
-                    self.corner.wrapping_add(place as isize) as usize
-                } else {
+                let at = if place == OUTSIDE {
                     usize::MAX
+                } else {
+                    self.corner.wrapping_add(place as isize) as usize
                 };
                 put(at, chunk * LANES + k);
             }
