@@ -324,7 +324,7 @@ impl SpaceCarve {
         look: JsValue,
     ) -> Result<Uint8ClampedArray, JsValue> {
         let look = LookOf::read(look)?;
-        let whole = |row: &u32| row % look.factor == 0;
+        let whole = |row: &u32| row.is_multiple_of(look.factor);
         let fits = look.size.map(|side| side * look.factor) == self.size;
         if !(fits && [self.rows.start, self.rows.end].iter().all(whole)) {
             return Err(bad_input("The look", "it is of another size than what was carved"));
