@@ -27,7 +27,10 @@ const BACKENDS = {
   auto: SOFTWARE.webgpu,
 };
 
-/** In the page, before its own scripts: what was shown can be looked at after it was shown. */
+/**
+ * In the page, before its own scripts: what is shown can be looked at. What WebGL has drawn is there later, and what
+ * WebGPU has drawn is looked at within the same task, after each function that draws.
+ */
 function keepDrawn() {
   const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
@@ -37,45 +40,59 @@ function keepDrawn() {
       kind === "webgl2" ? { ...options, preserveDrawingBuffer: true } : options,
     );
   };
+  const ask = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (run) =>
+    ask((at) => {
+      run(at);
+      window.watched?.drawn();
+    });
 }
 
 /** In the page: notes every frame, and takes a copy of what the stage shows in some. */
 function watch(every) {
   const seen = { frames: [], times: [], shots: [] };
   const stage = document.querySelector('section[aria-label="Picture"]');
-  const box = stage.getBoundingClientRect();
+  const { width: across } = stage.getBoundingClientRect();
   const capture = () => {
-    const copy = new OffscreenCanvas(Math.round(box.width / 2), Math.round(box.height / 2));
-    const context = copy.getContext("2d");
-    for (const canvas of stage.querySelectorAll("canvas")) {
+    const shown = [...stage.querySelectorAll("canvas")].filter((canvas) => {
       const style = getComputedStyle(canvas);
-      const at = canvas.getBoundingClientRect();
-      if (style.visibility === "hidden" || style.opacity === "0" || at.width < box.width / 2) continue;
-      context.drawImage(canvas, (at.x - box.x) / 2, (at.y - box.y) / 2, at.width / 2, at.height / 2);
-    }
-    return copy;
+      const hidden = style.visibility === "hidden" || style.opacity === "0";
+      return !hidden && canvas.getBoundingClientRect().width > across / 2;
+    });
+    const [{ width, height }] = shown;
+    const copy = new OffscreenCanvas(width, height);
+    const context = copy.getContext("2d");
+    for (const canvas of shown) context.drawImage(canvas, 0, 0, width, height);
+    return context.getImageData(0, 0, width, height).data;
   };
+  const isLit = (pixels) => pixels.some((byte, i) => i % 4 === 3 && byte > 0);
   let running = true;
+  let due = false;
   const frame = (at) => {
     if (!running) return;
     requestAnimationFrame(frame);
     seen.frames.push(at);
     seen.times.push(window.frond.scene().t);
-    if (every > 0 && seen.frames.length % every === 0)
-      seen.shots.push({ frame: seen.frames.length - 1, shot: capture() });
+    due ||= every > 0 && seen.frames.length % every === 0;
   };
   requestAnimationFrame(frame);
   window.watched = {
-    seen,
-    capture,
+    drawn() {
+      if (!due || !running) return;
+      const pixels = capture();
+      // What WebGPU has not drawn just now cannot be seen.
+      if (window.frond.backend() === "webgpu" && !isLit(pixels)) return;
+      due = false;
+      seen.shots.push({ frame: seen.frames.length - 1, pixels });
+    },
     stop() {
       running = false;
       return { frames: seen.frames, times: seen.times, shots: seen.shots.map(({ frame }) => frame) };
     },
     /** Of the pixels that are lit now, at rest, those that a shot lights, and of those that either lights, both. */
-    likeness(shot) {
-      const lit = (copy) => copy.getContext("2d").getImageData(0, 0, copy.width, copy.height).data;
-      const [then, now] = [lit(seen.shots[shot].shot), lit(capture())];
+    async likeness(shot) {
+      const then = seen.shots[shot].pixels;
+      const { data: now } = await window.frond.readPixels();
       let [both, either, complete] = [0, 0, 0];
       for (let i = 3; i < now.length; i += 4) {
         const [a, b] = [then[i] > 0, now[i] > 0];
@@ -157,30 +174,35 @@ export async function scrub(address) {
   console.log(`in the page: the time of dragon to gasket is scrubbed for ${SECONDS} s at 1280 x 800`);
   const executablePath = process.env["FROND_CHROMIUM"] ?? "/usr/bin/chromium";
   for (const [backend, flags] of Object.entries(BACKENDS)) {
-    const browser = await chromium.launch({
-      executablePath,
-      args: ["--no-sandbox", "--disable-background-networking", ...flags],
-    });
+    const args = ["--no-sandbox", "--disable-background-networking", ...flags];
+    const browser = await chromium.launch({ executablePath, args });
     try {
-      // Once to see how long frames take, and once more to see what they show: copies take time.
-      let page = await open(browser, address, backend, false);
-      const used = await page.evaluate(() => window.frond.backend());
-      await page.evaluate(watch, 0);
-      const { frames } = await drag(page);
-      await page.close();
-      const gaps = frames.slice(1).map((at, k) => at - frames[k]);
-      page = await open(browser, address, backend, true);
-      await page.evaluate(watch, Math.max(1, Math.floor(frames.length / SAMPLES)));
-      const judged = await judge(page, await drag(page));
-      const whole = judged.filter(({ covered }) => covered >= WHOLE).length;
-      console.log(
-        `  ${backend.padEnd(7)}${backend === used ? "" : ` (${used})`} ${(gaps.length / SECONDS).toFixed(0)} frames a second, ` +
-          `the longest ${Math.max(...gaps).toFixed(0)} ms; of ${judged.length} looked at ${whole} were whole, ` +
-          `the one in the middle shows ${(100 * middle(judged.map(({ covered }) => covered))).toFixed(1)}% ` +
-          `of a moment ${middle(judged.map(({ age }) => age)).toFixed(0)} ms before`,
-      );
+      console.log(`  ${backend.padEnd(7)}${await measured(browser, address, backend)}`);
+    } catch (problem) {
+      // A software card may end its process where a machine is short of memory or time.
+      console.log(`  ${backend.padEnd(7)}could not be measured: ${String(problem).split("\n")[0]}`);
     } finally {
       await browser.close();
     }
   }
+}
+
+/** Once to see how long frames take, and once more to see what they show: copies take time. */
+async function measured(browser, address, backend) {
+  let page = await open(browser, address, backend, false);
+  const used = await page.evaluate(() => window.frond.backend());
+  await page.evaluate(watch, 0);
+  const { frames } = await drag(page);
+  await page.close();
+  const gaps = frames.slice(1).map((at, k) => at - frames[k]);
+  page = await open(browser, address, backend, true);
+  await page.evaluate(watch, Math.max(1, Math.floor(frames.length / SAMPLES)));
+  const judged = await judge(page, await drag(page));
+  const whole = judged.filter(({ covered }) => covered >= WHOLE).length;
+  return (
+    `${used}: ${(gaps.length / SECONDS).toFixed(0)} frames a second, the longest ${Math.max(...gaps).toFixed(0)} ms; ` +
+    `${whole} of ${judged.length} that were looked at were whole, the one in the middle shows ` +
+    `${(100 * middle(judged.map(({ covered }) => covered))).toFixed(1)}% of a moment ` +
+    `${middle(judged.map(({ age }) => age)).toFixed(0)} ms before`
+  );
 }
