@@ -1,6 +1,6 @@
 // How long a picture of the plane takes: of every shape of the gallery by the processor, in Node, and in the page, on
-// each backend, while the time of a morph is scrubbed. docs/frames.md says what the numbers are; tests/bench/LOG.md
-// keeps those of every experiment.
+// each backend, while the time of a morph is scrubbed. LOG.md beside this file says what the numbers are, and keeps
+// those of every experiment.
 //
 // FROND_MODULE and FROND_AGAINST are bindings (frond.js): with the second, both draw the same frames in turn, and what
 // is told is how the first compares. With one module as both, that is how far two measurements of one thing differ.
