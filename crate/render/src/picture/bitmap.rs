@@ -65,7 +65,13 @@ impl Bitmap {
         let width = self.window.width.max(1) as usize;
         for (row, words) in pixels.chunks_exact(width).zip(self.words.chunks_exact_mut(self.stride)) {
             for (pixels, word) in row.chunks(64).zip(words) {
-                *word = pixels.iter().rev().fold(0, |word, pixel| word << 1 | u64::from(is_lit(pixel)));
+                // A byte a pixel first, which is done of many at a time.
+                let mut lit = [0_u8; 64];
+                for (lit, pixel) in lit.iter_mut().zip(pixels) {
+                    *lit = u8::from(is_lit(pixel));
+                }
+                let (eights, _) = lit.as_chunks();
+                *word = eights.iter().rev().fold(0, |word, eight| word << 8 | gathered(*eight));
             }
         }
     }
@@ -134,6 +140,12 @@ impl Bitmap {
     }
 }
 
+/// The lowest bits of eight bytes, side by side: the product brings that of the byte i to the bit 56 + i.
+#[inline]
+fn gathered(eight: [u8; 8]) -> u64 {
+    u64::from_le_bytes(eight).wrapping_mul(0x0102_0408_1020_4080) >> 56
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -153,6 +165,19 @@ mod tests {
             assert_eq!(bitmap.count() as u32, 3 * (x1 - x0 + 1));
             assert!(!bitmap.get((x0, 4)) && bitmap.get((x1, 3)));
         }
+    }
+
+    #[test]
+    fn pixels_of_which_something_is_true_are_lit() {
+        let window = Window { width: 150, height: 4 };
+        let pixels: Vec<u8> = (0..600).map(|i| (frond_core::hash::pcg(i) % 3) as u8).collect();
+        let mut bitmap = Bitmap::new(window);
+        bitmap.set((3, 3));
+        bitmap.light_where(&pixels, |pixel| *pixel == 2);
+        for (i, pixel) in (0..).zip(&pixels) {
+            assert_eq!(bitmap.get((i % 150, i / 150)), *pixel == 2, "{i}");
+        }
+        assert_eq!(bitmap.count(), pixels.iter().filter(|pixel| **pixel == 2).count());
     }
 
     #[test]

@@ -69,9 +69,14 @@ pub(crate) fn picture_of_codes<C: Code>(colours: &Colours, codes: &[C], window: 
             let blocks =
                 above.chunks(2 * BLOCK).zip(below.chunks(2 * BLOCK)).zip(pixels.chunks_mut(4 * BLOCK));
             for ((above, below), pixels) in blocks {
-                // All at once, rather than up to the first that is lit.
-                let dark = |row: &[C]| row.iter().fold(true, |dark, code| dark & (*code == C::default()));
-                if dark(above) & dark(below) {
+                // All at once, rather than up to the first that is another one.
+                let first = above[0];
+                let same = |row: &[C]| row.iter().fold(true, |same, code| same & (*code == first));
+                if same(above) & same(below) {
+                    if first > C::default() {
+                        let pixel = mixer.mix([first; 4]);
+                        pixels.chunks_exact_mut(4).for_each(|place| place.copy_from_slice(&pixel));
+                    }
                     continue;
                 }
                 let fours = above.chunks_exact(2).zip(below.chunks_exact(2)).zip(pixels.chunks_exact_mut(4));
@@ -98,7 +103,7 @@ pub(crate) fn picture_of_codes<C: Code>(colours: &Colours, codes: &[C], window: 
 
 /// Pixels that are looked at together, and how many mixtures are remembered.
 const BLOCK: usize = 16;
-const MIXTURES: usize = 256;
+const MIXTURES: usize = 1024;
 
 /// Makes a pixel of four, and remembers what it made: there are few colours, and so few mixtures.
 struct Mixer<'a> {
@@ -114,9 +119,13 @@ impl Mixer<'_> {
             // By map, pieces of a map are of one colour.
             four = four.map(|code| code.saturating_sub(1) & !0xfff | u32::from(code > 0));
         }
-        let hash =
-            four.iter().fold(0_u32, |hash, code| (hash ^ code).wrapping_mul(0x9e37_79b1).rotate_left(9));
-        let place = &mut self.known[hash as usize % MIXTURES];
+        // Each is multiplied by itself: none waits for another one.
+        let [a, b, c, d] = four;
+        let hash = a.wrapping_mul(0x9e37_79b1)
+            ^ b.wrapping_mul(0x85eb_ca6b)
+            ^ c.wrapping_mul(0xc2b2_ae35)
+            ^ d.wrapping_mul(0x27d4_eb2f);
+        let place = &mut self.known[(hash >> 16) as usize % MIXTURES];
         if place.0 != four {
             let even = Taps { base: [0; 2], part: [0.5; 2] };
             *place = (four, to_bytes(blend(self.colours, &even, four)));
