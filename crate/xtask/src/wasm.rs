@@ -25,6 +25,9 @@ const OPTIMISE: &str = "--low-memory-unused -O3 -O3 --skip-pass=inlining-optimiz
 /// Makes frond-fit as small as other people's libraries, with what it brings of their code.
 const SMALL: &str = "--config profile.release.package.frond-fit.opt-level=\"z\"";
 
+/// Makes frond-core small where it only prepares pictures, whose inner loops are in frond-render.
+const SMALL_CORE: &str = "--config profile.release.package.frond-core.opt-level=\"s\"";
+
 /// What lies in a crate's folder and is no part of a module.
 const NO_SOURCES: [&str; 5] = ["tests", "benches", "examples", "pkg", "webdriver.json"];
 
@@ -108,7 +111,7 @@ fn crates(features: &str) -> Outcome<Vec<PathBuf>> {
 
 /// The hash of the settings and of the sources in these folders, without tests.
 fn hash(folders: &[PathBuf]) -> Outcome<String> {
-    let mut hash = Hash::new(&[OPTIMISE, SMALL]);
+    let mut hash = Hash::new(&[OPTIMISE, SMALL, SMALL_CORE]);
     for file in ["Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml", "package-lock.json"]
     {
         hash.path(&root().join(file))?;
@@ -137,8 +140,13 @@ fn make(modules: &[Stale], pkg: &Path) -> Outcome {
         let mut finishing = Vec::new();
         for module in modules.iter().rev() {
             let (name, features) = (module.name, module.features);
-            // What reads files runs once for each, and no frame waits for it.
-            let small = if matches!(name, "frond-svg" | "frond-text") { SMALL } else { "" };
+            let small = match name {
+                // What reads files runs once for each, and no frame waits for it.
+                "frond-svg" | "frond-text" => SMALL,
+                // The first picture waits for its download.
+                "frond-first" => SMALL_CORE,
+                _ => "",
+            };
             run(&mut cargo_wasm(&format!(
                 "build --package frond-web --lib --release --target {WASM_TARGET} --no-default-features --features {features} {small}"
             )))?;

@@ -50,7 +50,7 @@ const MOST_WORK: (u64, u64) = (64, 8_000_000);
 
 impl Probe {
     pub fn new(frame: &Frame, root: Node, lit: &Bitmap) -> Self {
-        let size = lit.window().extent(&root.map).map_or(1.0, |extent| extent.size);
+        let size = lit.window().extent_once(&root.map).map_or(1.0, |extent| extent.size);
         let whole = size * 0.5 < FINEST_GRID * CLOUD_SPACING * 2.0;
         let piece = if whole { f64::INFINITY } else { LARGEST_PIECE };
         let finest = FINEST_GRID.min((MOST_FLOOD_POINTS / frame.steps.len() as f64).sqrt());
@@ -127,7 +127,7 @@ impl Probe {
         let mut visits = 1;
         let mut node = root;
         loop {
-            let Some(extent) = self.settled.window().extent(&node.map) else { return (None, visits) };
+            let Some(extent) = self.settled.window().extent_once(&node.map) else { return (None, visits) };
             if extent.size <= self.piece && node.letters.count() > 0 {
                 return (Some(node), visits);
             }
@@ -142,7 +142,7 @@ impl Probe {
                 visits += 1;
                 let (step, letters) = frame.steps[i];
                 let map = node.map * step;
-                let extent = self.settled.window().extent(&map)?;
+                let extent = self.settled.window().extent_once(&map)?;
                 let part = Node { map, letters: node.letters.join(letters) };
                 (!self.settled.all(extent.pixels)).then_some(part)
             });
@@ -156,7 +156,7 @@ impl Probe {
         if self.blame.is_empty() {
             return;
         }
-        let Some(extent) = self.settled.window().extent(piece) else { return };
+        let Some(extent) = self.settled.window().extent_once(piece) else { return };
         for y in extent.pixels.y.0..=extent.pixels.y.1 {
             for x in extent.pixels.x.0..=extent.pixels.x.1 {
                 if self.settled.get((x, y)) {

@@ -69,10 +69,8 @@ pub(crate) fn picture_of_codes<C: Code>(colours: &Colours, codes: &[C], window: 
             let blocks =
                 above.chunks(2 * BLOCK).zip(below.chunks(2 * BLOCK)).zip(pixels.chunks_mut(4 * BLOCK));
             for ((above, below), pixels) in blocks {
-                // All at once, rather than up to the first that is another one.
                 let first = above[0];
-                let same = |row: &[C]| row.iter().fold(true, |same, code| same & (*code == first));
-                if same(above) & same(below) {
+                if all_are(above, first) && all_are(below, first) {
                     if first > C::default() {
                         let pixel = mixer.mix([first; 4]);
                         pixels.chunks_exact_mut(4).for_each(|place| place.copy_from_slice(&pixel));
@@ -99,6 +97,12 @@ pub(crate) fn picture_of_codes<C: Code>(colours: &Colours, codes: &[C], window: 
         pixel.copy_from_slice(&bytes);
     }
     picture
+}
+
+/// Whether a row is of one code: all at once, rather than up to the first that is another one.
+#[inline(never)]
+fn all_are<C: Code>(row: &[C], first: C) -> bool {
+    row.iter().fold(true, |same, code| same & (*code == first))
 }
 
 /// Pixels that are looked at together, and how many mixtures are remembered.

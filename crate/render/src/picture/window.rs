@@ -70,6 +70,12 @@ impl Window {
         self.extent_within(map, 0.0)
     }
 
+    /// The same, compiled once: [`Self::extent`] becomes a part of whatever asks, which a module that is sent is larger by.
+    #[inline(never)]
+    pub(crate) fn extent_once(self, map: &Affine2) -> Option<Extent> {
+        self.extent(map)
+    }
+
     /// Where what is at most `slack` pixels away from that image lies.
     #[inline]
     #[must_use]

@@ -42,7 +42,7 @@ pub fn cut(
             return false;
         }
         visits -= 1;
-        if window.extent(&map).is_none() {
+        if window.extent_once(&map).is_none() {
             continue;
         }
         let piece = Piece::new(map, letters);
@@ -82,7 +82,7 @@ pub(crate) fn cut_at_random(
             let next = (0..steps).map(|i| (first + i) % steps).find_map(|i| {
                 let (step, letters) = frame.steps[i];
                 let map = piece.map * step;
-                window.extent(&map).map(|_| Piece::new(map, piece.letters.join(letters)))
+                window.extent_once(&map).map(|_| Piece::new(map, piece.letters.join(letters)))
             });
             let Some(next) = next else { break };
             piece = next;

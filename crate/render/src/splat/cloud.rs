@@ -5,45 +5,24 @@ use glam::DVec2;
 use super::LANES;
 use crate::coverage::flood::{CloudPoint, Flood};
 use crate::pieces::frame::Frame;
-use crate::pieces::letters::Letters;
 
-/// Points of the attractor in unit coordinates. Their number is a multiple of what is placed at once: the last one is
-/// repeated.
-#[derive(Debug, Default)]
+/// Points of the attractor in unit coordinates.
 pub struct Cloud {
-    pub xs: Vec<f32>,
-    pub ys: Vec<f32>,
-    pub letters: Vec<Letters>,
+    pub points: Vec<CloudPoint>,
+    /// The places of as many points as are placed at once: the x of each, then the y. The last of all is repeated.
+    pub places: Vec<[[f32; LANES]; 2]>,
 }
 
 impl Cloud {
     /// A cloud of these points.
-    pub fn of<'a>(points: impl IntoIterator<Item = &'a CloudPoint>) -> Self {
-        let mut cloud = Self::default();
-        for point in points {
-            cloud.push(point);
-        }
-        if let Some(last) = cloud.last() {
-            while !cloud.len().is_multiple_of(LANES) {
-                cloud.push(&last);
-            }
-        }
-        cloud
-    }
-
-    pub fn len(&self) -> usize {
-        self.xs.len()
-    }
-
-    fn push(&mut self, point: &CloudPoint) {
-        self.xs.push(point.position[0]);
-        self.ys.push(point.position[1]);
-        self.letters.push(point.letters);
-    }
-
-    fn last(&self) -> Option<CloudPoint> {
-        let (x, y) = (*self.xs.last()?, *self.ys.last()?);
-        Some(CloudPoint { position: [x, y], letters: *self.letters.last()? })
+    pub fn of(points: Vec<CloudPoint>) -> Self {
+        let place = |chunk: &[CloudPoint]| {
+            let of =
+                |axis: usize| std::array::from_fn(|lane| chunk[lane.min(chunk.len() - 1)].position[axis]);
+            [of(0), of(1)]
+        };
+        let places = points.chunks(LANES).map(place).collect();
+        Self { points, places }
     }
 }
 
@@ -97,5 +76,5 @@ fn thinned(points: &[CloudPoint], side: usize) -> Cloud {
             *cell = (i as u32, away);
         }
     }
-    Cloud::of(nearest.iter().filter_map(|(i, _)| points.get(*i as usize)))
+    Cloud::of(nearest.iter().filter_map(|(i, _)| points.get(*i as usize).copied()).collect())
 }

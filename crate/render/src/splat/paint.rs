@@ -1,2 +1,0 @@
-//! From codes to colours.
-pub fn paint_codes() {}
