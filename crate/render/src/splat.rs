@@ -8,7 +8,7 @@ mod cloud;
 
 use frond_core::Affine2;
 
-use self::cloud::{Cloud, Clouds};
+use self::cloud::{Cloud, Clouds, LANES};
 use crate::coverage::flood::{CloudPoint, Flood};
 use crate::picture::bitmap::Bitmap;
 use crate::picture::window::{Extent, PixelBox, Window};
@@ -227,8 +227,6 @@ const TO_INTEGER: f32 = 8_388_608.0;
 const INTEGER_BITS: u32 = 0x007f_ffff;
 /// No place: larger than all that have so many bits.
 const OUTSIDE: u32 = u32::MAX;
-/// Points that are placed at once: the compiler takes four to an instruction where there are eight, and none of four.
-const LANES: usize = 8;
 
 impl Placement {
     fn new(map: &Affine2, window: Window, extent: &Extent) -> Self {

@@ -2,9 +2,11 @@
 
 use glam::DVec2;
 
-use super::LANES;
 use crate::coverage::flood::{CloudPoint, Flood};
 use crate::pieces::frame::Frame;
+
+/// Points that are placed at once: the compiler takes four to an instruction where there are eight, and none of four.
+pub const LANES: usize = 8;
 
 /// Points of the attractor in unit coordinates.
 pub struct Cloud {

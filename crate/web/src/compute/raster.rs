@@ -8,8 +8,8 @@ use crate::boundary::error::bad_input;
 use crate::boundary::picture::picture;
 use crate::boundary::value::read_ifs;
 
-/// Draws an attractor in the colours of its pieces, complete: RGBA with straight alpha, row 0 on top, on a transparent background. Ready for
-/// `new ImageData(pixels, width, height)`.
+/// Draws an attractor in the colours of its pieces, complete: RGBA with straight alpha, row 0 on top, on a transparent
+/// background. Ready for `new ImageData(pixels, width, height)`.
 #[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray<ArrayBuffer>")]
 pub fn rasterize(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,

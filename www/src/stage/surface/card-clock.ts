@@ -23,7 +23,7 @@ export class CardClock {
     this.#tries = 0;
   }
 
-  /** Of a frame: how long after it was asked for it came, and how many points it has. True once: when it is too much. */
+  /** Of a frame: how long after it was asked for it came, and its points. True once: when that is late or little. */
   isLate(milliseconds: number, points: number): boolean {
     if (this.#tries > 0) return false;
     this.#frames.push(milliseconds);
