@@ -29,7 +29,7 @@
 //!    [`Letters`], the first of a piece's word, are its code.
 //! 3. `coverage`: a [`Sweep`] walks down the tree of pieces and skips what is outside of the window or lit already.
 //!    Where pieces overlap without end it goes over to a [`Flood`] of points on a grid.
-//!    `splat` draws all but some pixels many times as quickly: [`Splats`] are points of a cloud that every piece places.
+//!    `splat` draws all but some pixels many times as quickly: [`Splats`] are points of a cloud that each piece places.
 //!    [`rasterize`] draws them first, and is complete with what a sweep finds in the dark.
 //!    [`rasterize_directed`] draws shapes of several states.
 //! 4. A [`Plan`] is the same picture as points that a graphics card places; [`PlacedPoints`] tells which pixels they

@@ -144,8 +144,8 @@ impl Splats {
         true
     }
 
-    /// Draws some large pieces with one cloud, whatever they overlap: all maps of a shape that is seen whole, some pieces
-    /// of a close view.
+    /// Draws some large pieces with one cloud, whatever they overlap: all maps of a shape that is seen whole, some
+    /// pieces of a close view.
     fn rough(&mut self, frame: &Frame, to_screen: Affine2) {
         let Some(extent) = self.window.extent_once(&to_screen) else { return };
         let seen = f64::from(self.window.width.max(self.window.height));
@@ -172,8 +172,8 @@ impl Splats {
         }
     }
 
-    /// Lights each dark pixel whose eight neighbours are lit, as the one to its left is. Points leave out about one of a
-    /// hundred pixels of a full area; where a pixel of the picture is made of four, this lights none that was dark.
+    /// Lights each dark pixel whose eight neighbours are lit, as the one to its left is. Points leave out about one of
+    /// a hundred pixels of a full area; where a pixel of the picture is made of four, this lights none that was dark.
     pub(crate) fn close_holes(&mut self) {
         let width = self.window.width as usize;
         let mut lit = Bitmap::new(self.window);

@@ -70,7 +70,7 @@ impl Window {
         self.extent_within(map, 0.0)
     }
 
-    /// The same, compiled once: [`Self::extent`] becomes a part of whatever asks, which a module that is sent is larger by.
+    /// The same, compiled once: [`Self::extent`] becomes a part of whatever asks, and a module that is sent larger.
     #[inline(never)]
     pub(crate) fn extent_once(self, map: &Affine2) -> Option<Extent> {
         self.extent(map)
