@@ -143,7 +143,12 @@ function useShown(place: Place["page"], name: string | null, state: string) {
     const page = figure ? pageOf(figure) : isClass(place, name) ? CLASS[name]?.() : null;
     Promise.resolve(page ?? null).then(
       (Page) => asked && setShown({ place, name, state, Page }),
-      (reason) => asked && setProblem(wordsOf(reason)),
+      (reason) => {
+        if (!asked) return;
+        // Some browsers fetch a module that failed no second time: the page anew does, and the address keeps all.
+        if (tries > 0 && navigator.onLine) location.reload();
+        else setProblem(wordsOf(reason));
+      },
     );
     return () => {
       asked = false;
