@@ -55,7 +55,10 @@ export class FrameQueue<Request, Frame> {
     if (this.#closed || !wanted) return;
     if (this.#begun.moving < wanted.number) this.#begin("moving");
     else if (this.#shown.moving === wanted.number && this.#begun.complete < wanted.number) {
-      this.#rest ??= setTimeout(() => this.#begin("complete"), REST_MS);
+      this.#rest ??= setTimeout(() => {
+        this.#rest = undefined;
+        this.#begin("complete");
+      }, REST_MS);
     }
   }
 
