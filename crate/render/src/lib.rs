@@ -77,6 +77,7 @@ mod splat;
 mod testing;
 
 pub use coverage::canvas::Hit;
+pub use coverage::complete::codes;
 pub use coverage::flood::{CloudPoint, Flood};
 pub use coverage::sweep::{Progress, Sweep};
 pub use density::Density;
@@ -89,13 +90,13 @@ pub use picture::view::View;
 pub use picture::window::{Extent, PixelBox, Window};
 pub use pieces::cut::{Piece, cut};
 pub use pieces::frame::Frame;
-pub use pieces::letters::{CODES, KEPT, Letters};
+pub use pieces::letters::{CODES, Code, KEPT, Letters, ShortCode};
 pub use pieces::measure::Sample;
 pub use plan::{Batch, Detail, PlacedPoints, Plan};
 pub use points::{Instance, Vertex};
 pub use raster::{
-    MAX_SIDE, RasterOptions, RenderError, codes, rasterize, rasterize_bent, rasterize_colours,
-    rasterize_density, rasterize_unbent,
+    MAX_SIDE, RasterOptions, RenderError, rasterize, rasterize_bent, rasterize_colours, rasterize_density,
+    rasterize_unbent,
 };
 pub use sheet::{BentSheet, Level, Photo, PhotoError, Sheet, SheetOptions, draw_sheet};
-pub use splat::{Code, ShortCode, Splats};
+pub use splat::Splats;

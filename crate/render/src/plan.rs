@@ -11,9 +11,8 @@ pub use placed::PlacedPoints;
 use crate::coverage::flood::Flood;
 use crate::coverage::sweep::{Sweep, Walk};
 use crate::picture::window::Window;
-use crate::pieces::cut::{Piece, cut, cut_at_random};
+use crate::pieces::cut::{Piece, cut, cut_roughly};
 use crate::pieces::frame::Frame;
-use crate::pieces::letters::Letters;
 use crate::points::{Instance, Sides, Vertex};
 
 /// Instances of one cloud.
@@ -183,17 +182,9 @@ impl Plan {
     /// does not depend on words.
     fn improvise(&mut self, frame: &Frame, to_screen: Affine2, window: Window, whole: f64, detail: Detail) {
         let seen = f64::from(window.width.max(window.height));
-        if whole <= 2.0 * seen {
-            let parts = frame.maps.iter().enumerate();
-            self.instances
-                .extend(parts.map(|(letter, map)| {
-                    Instance::new(&(to_screen * *map), Letters::NONE.then(letter), 1.0)
-                }));
-        } else {
-            cut_at_random(frame, to_screen, window, seen, SOME_PIECES, &mut self.pieces);
-            let pieces = self.pieces.iter();
-            self.instances.extend(pieces.map(|piece| Instance::new(&piece.map, piece.letters, 1.0)));
-        }
+        cut_roughly(frame, to_screen, window, whole, SOME_PIECES, &mut self.pieces);
+        let pieces = self.pieces.iter();
+        self.instances.extend(pieces.map(|piece| Instance::new(&piece.map, piece.letters, 1.0)));
         let cells = (whole.min(2.0 * seen) / detail.cell).max(1.0);
         self.flood(frame, cells);
         self.batches.push(Batch {
@@ -222,9 +213,9 @@ mod tests {
     use frond_core::Hull;
 
     use super::*;
+    use crate::coverage::complete::swept_codes;
     use crate::picture::view::View;
-    use crate::raster::swept_codes;
-    use crate::splat::Code;
+    use crate::pieces::letters::Code;
     use crate::testing::{NASTY, PLAIN, ifs};
 
     const WINDOW: Window = Window { width: 240, height: 180 };

@@ -1,21 +1,19 @@
 //! Pictures made on the CPU.
 
-use frond_core::{Affine2, Colouring, Hull, Ifs};
+use frond_core::{Colouring, Hull, Ifs};
 use frond_deform::Bend;
 use thiserror::Error;
 
 use crate::bent::{AnchorError, Bent, BentSweep};
-use crate::coverage::canvas::{Hit, Node};
-use crate::coverage::sweep::{Progress, Sweep};
+use crate::coverage::complete::codes;
 use crate::density::Density;
-use crate::picture::bitmap::Bitmap;
 use crate::picture::colour::{Colours, is_for_light_ground};
 use crate::picture::resolve::{picture_of_codes, picture_of_density};
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
-use crate::pieces::letters::Letters;
-use crate::splat::{Code, ShortCode, Splats};
+use crate::pieces::letters::Code;
+use crate::splat::Splats;
 
 /// What [`rasterize`] draws.
 #[derive(Clone, Copy, Debug)]
@@ -233,58 +231,10 @@ impl Ground {
 
 /// How far, in pixels, the attractor must reach into a pixel to light it for certain.
 pub(crate) const CERTAIN_REACH: f64 = 0.0625;
-/// About how many points a draft has, and a complete picture at first.
+/// About how many points a draft has.
 const POINTS_OF_DRAFT: u64 = 1_500_000;
-const POINTS_FIRST: u64 = 3_000_000;
 /// The density of a bent attractor: the size of its pieces, their number at most, and points in a pass.
 const BENT_DENSITY: (f64, usize, usize) = (16.0, 60_000, 65_536);
-
-/// The codes of the pixels of a window, and whether they are known to be all. `to_screen` takes unit coordinates to
-/// pixels, and `detail`, in pixels, is how far the attractor must reach into a pixel to light it for certain.
-///
-/// Points light most pixels ([`Splats`]), and a sweep of each map finds the others. The first letters are those that a
-/// sweep alone finds; the second and third may be of another piece where the one on top reaches hardly into a pixel.
-#[must_use]
-pub fn codes(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> (Vec<ShortCode>, Progress) {
-    let splats = Splats::draw(frame, to_screen, window, POINTS_FIRST);
-    if !splats.whole {
-        return swept_codes(frame, to_screen, window, detail);
-    }
-    let mut codes = splats.codes;
-    let mut settled = Bitmap::new(window);
-    let mut sweep = Sweep::new(frame, to_screen, window, detail);
-    let mut progress = Progress::Complete;
-    let maps = frame.maps.len();
-    for (letter, map) in frame.maps.iter().enumerate().rev() {
-        let letters = Letters::NONE.then(letter);
-        let least = ShortCode::of(letters, maps);
-        // Later maps lie on top of this one.
-        settled.light_where(&codes, |code| *code >= least);
-        sweep.restart_piece_on(frame, Node { map: to_screen * *map, letters }, &settled, detail);
-        if sweep.run(u64::MAX, |hit| put(&mut codes, window, hit, frame.maps.len())) == Progress::Probed {
-            progress = Progress::Probed;
-        }
-    }
-    (codes, progress)
-}
-
-/// The same by a sweep alone, which takes ten times as long where pieces do not overlap without end.
-pub(crate) fn swept_codes(
-    frame: &Frame,
-    to_screen: Affine2,
-    window: Window,
-    detail: f64,
-) -> (Vec<ShortCode>, Progress) {
-    let mut codes = vec![ShortCode::default(); window.area()];
-    let mut sweep = Sweep::new(frame, to_screen, window, detail);
-    let progress = sweep.run(u64::MAX, |hit| put(&mut codes, window, hit, frame.maps.len()));
-    (codes, progress)
-}
-
-fn put(codes: &mut [ShortCode], window: Window, hit: Hit, maps: usize) {
-    let (x, y) = hit.pixel;
-    codes[y as usize * window.width as usize + x as usize] = ShortCode::of(hit.letters, maps);
-}
 
 /// Points a lit pixel of a density picture, and at most in all.
 const POINTS_A_PIXEL: usize = 40;
@@ -307,7 +257,7 @@ fn densities(frame: &Frame, mut density: Density, window: Window, colours: &Colo
 mod tests {
     use std::collections::HashSet;
 
-    use frond_core::adaptive_cut;
+    use frond_core::{Affine2, adaptive_cut};
     use glam::DVec2;
 
     use super::*;

@@ -12,59 +12,9 @@ use self::cloud::{Cloud, Clouds, LANES};
 use crate::coverage::flood::{CloudPoint, Flood};
 use crate::picture::bitmap::Bitmap;
 use crate::picture::window::{Extent, PixelBox, Window};
-use crate::pieces::cut::cut_at_random;
+use crate::pieces::cut::cut_roughly;
 use crate::pieces::frame::Frame;
-use crate::pieces::letters::{KEPT, Letters};
-
-/// What a pixel keeps of the piece on top: 0 where it is dark, and more the higher the piece lies.
-pub trait Code: Copy + Default + Ord {
-    /// The same as three letters have it (see [`Letters::code`]).
-    fn code(self) -> u32;
-}
-
-impl Code for u32 {
-    #[inline]
-    fn code(self) -> u32 {
-        self
-    }
-}
-
-/// The first three letters of a word in sixteen bits, so that a picture takes little memory. Of more than 32 maps they
-/// are the first two: the third tells colours apart by less than any screen shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct ShortCode(u16);
-
-/// Set in the codes of more than 32 maps.
-const MANY: u16 = 1 << 15;
-const MOST_OF_THREE: usize = 32;
-
-impl ShortCode {
-    /// The code of a piece of a system of so many maps.
-    #[inline]
-    #[must_use]
-    pub(crate) fn of(letters: Letters, maps: usize) -> Self {
-        let packed = letters.packed();
-        let short = if maps > MOST_OF_THREE {
-            MANY | (packed >> 6) as u16
-        } else {
-            (packed >> 2 & 0x7c00 | packed >> 1 & 0x03e0 | packed & 0x001f) as u16
-        };
-        Self(short + 1)
-    }
-}
-
-impl Code for ShortCode {
-    #[inline]
-    fn code(self) -> u32 {
-        let Some(short) = self.0.checked_sub(1).map(u32::from) else { return 0 };
-        let packed = if short & u32::from(MANY) == 0 {
-            (short & 0x7c00) << 2 | (short & 0x03e0) << 1 | short & 0x001f
-        } else {
-            (short & 0x0fff) << 6
-        };
-        packed + 1
-    }
-}
+use crate::pieces::letters::{KEPT, Letters, ShortCode};
 
 /// The codes of a picture, drawn as points.
 #[derive(Debug)]
@@ -150,24 +100,16 @@ impl Splats {
         let Some(extent) = self.window.extent_once(&to_screen) else { return };
         let seen = f64::from(self.window.width.max(self.window.height));
         let mut pieces = Vec::new();
-        if extent.size <= 2.0 * seen {
-            let parts = frame.maps.iter().enumerate();
-            pieces.extend(parts.map(|(i, part)| (to_screen * *part, Letters::NONE.then(i))));
-            pieces.reverse();
-        } else {
-            let mut some = Vec::new();
-            cut_at_random(frame, to_screen, self.window, seen, ROUGH_PIECES, &mut some);
-            pieces.extend(some.iter().map(|piece| (piece.map, piece.letters)));
-        }
+        cut_roughly(frame, to_screen, self.window, extent.size, ROUGH_PIECES, &mut pieces);
         let count = pieces.len().max(1) as f64;
         let most = (ROUGH_POINTS / count).min(ROUGH_STEPS / frame.steps.len().max(1) as f64);
         let side = (extent.size.min(2.0 * seen) / SPACING).min(most.sqrt()).max(16.0);
         let mut flood = Flood::new(frame, side as u32);
         flood.run(u64::MAX);
         let cloud = Cloud::of(flood.into_points());
-        for (map, letters) in pieces {
-            if let Some(extent) = self.window.extent_once(&map) {
-                self.stamp(&map, letters, &cloud, &extent);
+        for piece in pieces {
+            if let Some(extent) = self.window.extent_once(&piece.map) {
+                self.stamp(&piece.map, piece.letters, &cloud, &extent);
             }
         }
     }
@@ -214,15 +156,15 @@ struct Placement {
     /// In pixels from a corner of the piece's box, so that `f32` is exact to a thousandth however large the picture.
     translation: [f32; 2],
     /// The pixels of a row.
-    width: f32,
+    width: u32,
     /// The place of that corner among the pixels; it may be outside.
     corner: isize,
-    /// The window, from that corner.
-    low: [f32; 2],
-    high: [f32; 2],
+    /// The first pixel of the window from that corner, in numbers that wrap around, and its sides.
+    low: [u32; 2],
+    size: [u32; 2],
 }
 
-/// Added to a number from 0 to 2^22, this leaves the nearest integer in its low bits; taken off again, that integer.
+/// Added to a number from 0 to 2^22, this leaves the nearest integer in its low bits.
 const TO_INTEGER: f32 = 8_388_608.0;
 const INTEGER_BITS: u32 = 0x007f_ffff;
 /// No place: larger than all that have so many bits.
@@ -232,15 +174,14 @@ impl Placement {
     fn new(map: &Affine2, window: Window, extent: &Extent) -> Self {
         let corner = (map.translation - extent.reach).floor() - 1.0;
         let [a, b, c, d, e, f] = map.to_row();
-        let low = [-corner.x as f32, -corner.y as f32];
         Self {
             linear: [a, b, c, d].map(|x| x as f32),
             // The nearest integer to what is half a pixel less is the pixel.
             translation: [(e - corner.x - 0.5) as f32, (f - corner.y - 0.5) as f32],
-            width: window.width as f32,
+            width: window.width,
             corner: (corner.y as isize).wrapping_mul(window.width as isize).wrapping_add(corner.x as isize),
-            low,
-            high: [low[0] + window.width as f32, low[1] + window.height as f32],
+            low: [(-corner.x) as i64 as u32, (-corner.y) as i64 as u32],
+            size: [window.width, window.height],
         }
     }
 
@@ -252,12 +193,11 @@ impl Placement {
         for ([xs, ys], points) in cloud.places.iter().zip(cloud.points.chunks(LANES)) {
             let mut places = [0_u32; LANES];
             for k in 0..LANES {
-                let x = (a * xs[k] + b * ys[k] + e + TO_INTEGER) - TO_INTEGER;
-                let y = (c * xs[k] + d * ys[k] + f + TO_INTEGER) - TO_INTEGER;
-                let place = (y * self.width + x + TO_INTEGER).to_bits() & INTEGER_BITS;
-                let inside =
-                    (x >= self.low[0]) & (y >= self.low[1]) & (x < self.high[0]) & (y < self.high[1]);
-                places[k] = if inside { place } else { OUTSIDE };
+                let x = (a * xs[k] + b * ys[k] + e + TO_INTEGER).to_bits() & INTEGER_BITS;
+                let y = (c * xs[k] + d * ys[k] + f + TO_INTEGER).to_bits() & INTEGER_BITS;
+                let inside = (x.wrapping_sub(self.low[0]) < self.size[0])
+                    & (y.wrapping_sub(self.low[1]) < self.size[1]);
+                places[k] = if inside { y.wrapping_mul(self.width).wrapping_add(x) } else { OUTSIDE };
             }
             for (place, point) in places.into_iter().zip(points) {
                 let at = if place == OUTSIDE {
@@ -277,8 +217,9 @@ mod tests {
     use glam::DVec2;
 
     use super::*;
+    use crate::coverage::complete::{codes, swept_codes};
     use crate::picture::view::View;
-    use crate::raster::{codes, swept_codes};
+    use crate::pieces::letters::Code;
     use crate::testing::{NASTY, PLAIN, ifs, some_ifs};
 
     const WINDOW: Window = Window { width: 320, height: 240 };
@@ -438,30 +379,43 @@ mod tests {
     }
 
     #[test]
-    fn short_codes_are_those_of_three_letters_or_of_two_and_lie_as_they_do() {
-        let word = |letters: &[usize]| letters.iter().fold(Letters::NONE, |word, letter| word.then(*letter));
-        let words = [[0, 0, 0], [0, 0, 31], [0, 5, 0], [17, 3, 30], [31, 31, 31]];
-        let shorts = words.map(|letters| ShortCode::of(word(&letters), 32));
-        assert!(shorts.is_sorted());
-        for (letters, short) in words.iter().zip(shorts) {
-            assert_eq!(Letters::of_code(short.code()), Some(*letters));
+    fn points_of_large_pieces_in_large_pictures_are_where_they_belong() {
+        let window = Window { width: 8000, height: 6000 };
+        let points: Vec<CloudPoint> = (0..500)
+            .map(|i| {
+                let at = |seed| frond_core::hash::unit(frond_core::hash::counter(seed, i)) * 1.6 - 0.8;
+                CloudPoint { position: [at(1), at(2)], letters: Letters::NONE }
+            })
+            .collect();
+        let cloud = Cloud::of(points);
+        for row in
+            [[3900.0, 300.0, -200.0, 2900.0, 4000.3, 3000.4], [9000.0, 0.0, 0.0, 9000.0, -2000.2, 7000.1]]
+        {
+            let map = Affine2::from_row(row);
+            let place = Placement::new(&map, window, &window.extent(&map).unwrap());
+            let (mut within, mut differ) = (0, 0);
+            place.each(&cloud, |at, point| {
+                let exact = map.apply(glam::Vec2::from(point.position).as_dvec2());
+                let pixel = window.pixel(exact).map(|(x, y)| (y * window.width + x) as usize);
+                within += u32::from(pixel.is_some());
+                differ += u32::from(pixel.unwrap_or(usize::MAX) != at);
+            });
+            assert!(within > 50 && differ <= 2, "{row:?}: {differ} of {within}");
         }
-        let many = [[0, 0, 9], [0, 63, 1], [40, 7, 63], [63, 63, 63]];
-        let shorts = many.map(|letters| ShortCode::of(word(&letters), 33));
-        assert!(shorts.is_sorted() && ShortCode::default() < shorts[0]);
-        for ([first, second, _], short) in many.into_iter().zip(shorts) {
-            assert_eq!(Letters::of_code(short.code()), Some([first, second, 0]));
-        }
-        assert_eq!(ShortCode::default().code(), 0);
     }
 
     #[test]
     fn a_dark_pixel_among_eight_that_are_lit_is_closed_and_no_other() {
         let window = Window { width: 70, height: 8 };
-        let mut splats =
-            Splats { window, codes: vec![ShortCode(1); window.area()], whole: true, maps: 1, points: 0 };
+        let mut splats = Splats {
+            window,
+            codes: vec![ShortCode::of(Letters::NONE, 1); window.area()],
+            whole: true,
+            maps: 1,
+            points: 0,
+        };
         for (x, y) in [(0, 3), (63, 2), (64, 5), (69, 5), (30, 0), (30, 7), (10, 4), (11, 4)] {
-            splats.codes[y * 70 + x] = ShortCode(0);
+            splats.codes[y * 70 + x] = ShortCode::default();
         }
         splats.close_holes();
         let dark: Vec<_> = (0..window.area())

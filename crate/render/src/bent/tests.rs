@@ -280,8 +280,8 @@ fn without_displacements_it_is_the_attractor_itself() {
         let subject = Subject::plain(name, 0.0, settings(0.0, 5.0, 0.7, Spin::Rotation));
         let bent = subject.bent();
         let rest = subject.view.onto_screen(subject.frame.to_world, WINDOW);
-        let (codes, _) = crate::raster::swept_codes(&subject.frame, rest, WINDOW, 0.0625);
-        let codes: Vec<u32> = codes.into_iter().map(crate::splat::Code::code).collect();
+        let (codes, _) = crate::coverage::complete::swept_codes(&subject.frame, rest, WINDOW, 0.0625);
+        let codes: Vec<u32> = codes.into_iter().map(crate::pieces::letters::Code::code).collect();
         let mut sweep = BentSweep::new();
         sweep.begin(&bent, 0.0625, false);
         sweep.run(&bent, u64::MAX);

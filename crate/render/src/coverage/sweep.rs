@@ -49,6 +49,8 @@ const VISITS_BEFORE_DOUBT: (u64, u64) = (8, 100_000);
 /// Where the window shows a small part only, it takes a while to find anything in it.
 const CLOSE_PATIENCE: u64 = 2_000_000;
 const VISITS_A_PIXEL: u64 = 300;
+/// So many pixels that were lit before count as one: what is left of plain shapes takes up to 14 visits for each.
+const LIT_BEFORE: u64 = 16;
 /// Points a probe draws before the budget is looked at again.
 const POINTS_A_PORTION: u64 = 4096;
 
@@ -82,6 +84,8 @@ impl Sweep {
     /// The same of one piece of the attractor alone, whose map to the screen and first letters these are.
     pub(crate) fn restart_piece_on(&mut self, frame: &Frame, piece: Node, lit: &Bitmap, detail: f64) {
         self.restart_on(frame, piece.map, lit, detail);
+        // What is lit already needs no visits but those of its rim.
+        self.canvas.count /= LIT_BEFORE;
         self.root = piece;
         for node in &mut self.stack {
             *node = piece;

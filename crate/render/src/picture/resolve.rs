@@ -3,7 +3,7 @@
 use crate::picture::colour::Colours;
 use crate::picture::tone::{cover, glow, respond, tone};
 use crate::picture::window::Window;
-use crate::splat::Code;
+use crate::pieces::letters::Code;
 
 /// A source of four texels around a point, with their weights: how pictures are shrunk to half (each
 /// pixel is the mean of four), copied, and magnified (in between) alike.

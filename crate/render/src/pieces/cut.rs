@@ -60,7 +60,7 @@ const MOST_STEPS: u32 = 1000;
 
 /// Some pieces of at most `size` pixels that touch the window, by chance: where there are too many for
 /// all of them.
-pub(crate) fn cut_at_random(
+fn cut_at_random(
     frame: &Frame,
     to_screen: Affine2,
     window: Window,
@@ -91,6 +91,25 @@ pub(crate) fn cut_at_random(
             pieces.push(piece);
         }
     }
+}
+
+/// Some large pieces, whatever they overlap, where there are too many small ones: all maps of a shape of `whole` pixels
+/// that is seen whole, `count` pieces of a close view.
+pub(crate) fn cut_roughly(
+    frame: &Frame,
+    to_screen: Affine2,
+    window: Window,
+    whole: f64,
+    count: usize,
+    pieces: &mut Vec<Piece>,
+) {
+    let seen = f64::from(window.width.max(window.height));
+    if whole > 2.0 * seen {
+        return cut_at_random(frame, to_screen, window, seen, count, pieces);
+    }
+    pieces.clear();
+    let parts = frame.maps.iter().enumerate();
+    pieces.extend(parts.map(|(i, part)| Piece::new(to_screen * *part, Letters::NONE.then(i))));
 }
 
 #[cfg(test)]

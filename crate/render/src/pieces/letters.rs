@@ -74,6 +74,56 @@ impl Letters {
     }
 }
 
+/// What a pixel keeps of the piece on top: 0 where it is dark, and more the higher the piece lies.
+pub trait Code: Copy + Default + Ord {
+    /// The same as three letters have it (see [`Letters::code`]).
+    fn code(self) -> u32;
+}
+
+impl Code for u32 {
+    #[inline]
+    fn code(self) -> u32 {
+        self
+    }
+}
+
+/// The first three letters of a word in sixteen bits, so that a picture takes little memory. Of more than 32 maps they
+/// are the first two: the third tells colours apart by less than any screen shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ShortCode(u16);
+
+/// Set in the codes of more than 32 maps.
+const MANY: u16 = 1 << 15;
+const MOST_OF_THREE: usize = 32;
+
+impl ShortCode {
+    /// The code of a piece of a system of so many maps.
+    #[inline]
+    #[must_use]
+    pub(crate) fn of(letters: Letters, maps: usize) -> Self {
+        let packed = letters.packed();
+        let short = if maps > MOST_OF_THREE {
+            MANY | (packed >> 6) as u16
+        } else {
+            (packed >> 2 & 0x7c00 | packed >> 1 & 0x03e0 | packed & 0x001f) as u16
+        };
+        Self(short + 1)
+    }
+}
+
+impl Code for ShortCode {
+    #[inline]
+    fn code(self) -> u32 {
+        let Some(short) = self.0.checked_sub(1).map(u32::from) else { return 0 };
+        let packed = if short & u32::from(MANY) == 0 {
+            (short & 0x7c00) << 2 | (short & 0x03e0) << 1 | short & 0x001f
+        } else {
+            (short & 0x0fff) << 6
+        };
+        packed + 1
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -101,5 +151,22 @@ mod tests {
             assert_eq!(joined, word(&whole), "cut after {cut}");
         }
         assert_eq!(word(&[7]).join(Letters::NONE), word(&[7]));
+    }
+
+    #[test]
+    fn short_codes_are_those_of_three_letters_or_of_two_and_lie_as_they_do() {
+        let words = [[0, 0, 0], [0, 0, 31], [0, 5, 0], [17, 3, 30], [31, 31, 31]];
+        let shorts = words.map(|letters| ShortCode::of(word(&letters), 32));
+        assert!(shorts.is_sorted());
+        for (letters, short) in words.iter().zip(shorts) {
+            assert_eq!(Letters::of_code(short.code()), Some(*letters));
+        }
+        let many = [[0, 0, 9], [0, 63, 1], [40, 7, 63], [63, 63, 63]];
+        let shorts = many.map(|letters| ShortCode::of(word(&letters), 33));
+        assert!(shorts.is_sorted() && ShortCode::default() < shorts[0]);
+        for ([first, second, _], short) in many.into_iter().zip(shorts) {
+            assert_eq!(Letters::of_code(short.code()), Some([first, second, 0]));
+        }
+        assert_eq!(ShortCode::default().code(), 0);
     }
 }
