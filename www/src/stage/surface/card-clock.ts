@@ -6,6 +6,8 @@ const FRAMES = 12;
 /** A change is worth while where frames come sooner by this factor. */
 const SOONER = 0.7;
 const TRIES = 4;
+/** After so many frames a processor that was slower, maybe since it had other things to do, is tried again. */
+const AGAIN = 600;
 const EVERY_FRAME_MS = 1000 / 60;
 
 /**
@@ -16,16 +18,25 @@ export class CardClock {
   #frames: number[] = [];
   #points = Number.POSITIVE_INFINITY;
   #tries = 0;
+  /** Frames since the processor was tried. */
+  #since = 0;
 
   /** The picture has another size. */
   reset(): void {
     this.#frames = [];
     this.#tries = 0;
+    this.#since = 0;
   }
 
-  /** Of a frame: how long after it was asked for it came, and its points. True once: when that is late or little. */
+  /**
+   * Notes a frame: how long after it was asked for it came, and its points. True when that is late or little, and not
+   * again for some time.
+   */
   isLate(milliseconds: number, points: number): boolean {
-    if (this.#tries > 0) return false;
+    if (this.#tries > 0) {
+      if (++this.#since < AGAIN) return false;
+      this.reset();
+    }
     this.#frames.push(milliseconds);
     this.#points = points;
     if (this.#frames.length < FRAMES) return false;
@@ -41,8 +52,8 @@ export class CardClock {
     return this.#points < FEW_POINTS && milliseconds <= EVERY_FRAME_MS;
   }
 
-  /** Whether the processor may be timed once more. */
-  triesLeft(): boolean {
+  /** Takes one of the tries of the processor; whether there was one. */
+  takeTry(): boolean {
     return this.#tries++ < TRIES;
   }
 

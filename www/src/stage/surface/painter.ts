@@ -211,8 +211,9 @@ export class Painter {
       );
       return;
     }
-    this.#adapt(performance.now() - this.#asked);
-    this.#watch(surface, performance.now() - this.#asked);
+    const waited = performance.now() - this.#asked;
+    this.#adapt(waited);
+    this.#watch(surface, waited);
     this.#give(surface, this.#wanted);
     if (this.#empty) {
       this.#set({ complete: true, settled: true, points: 0, empty: true });
@@ -236,7 +237,7 @@ export class Painter {
 
   /** Where the card is late with what moves, and the processor draws it sooner, the processor takes over. */
   #watch(surface: Surface, waited: number): void {
-    const { wanted, given } = { wanted: this.#wanted, given: this.#given };
+    const [wanted, given] = [this.#wanted, this.#given];
     if (this.#options.backend !== "auto" || !(surface instanceof Accelerated) || !wanted) return;
     if (wanted.bend || wanted.picture || wanted.style.colouring === "density") return;
     if (wanted.width !== given.width || wanted.height !== given.height) this.#clock.reset();
@@ -255,7 +256,7 @@ export class Painter {
       else if (this.#surface === surface && this.#clock.isSlowerThan(next.milliseconds))
         this.#replace(surface, next);
       // The first frames of a worker take longer: it is compiled meanwhile.
-      else if (this.#surface === surface && this.#clock.triesLeft() && this.#wanted)
+      else if (this.#surface === surface && this.#clock.takeTry() && this.#wanted)
         this.#ask(next, this.#wanted);
       else this.#endTrial();
     });
