@@ -136,7 +136,6 @@ function useShown(place: Place["page"], name: string | null, state: string) {
   const [shown, setShown] = useState<Shown | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
   const [tries, setTries] = useState(0);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: each try fetches again
   useEffect(() => {
     let asked = true;
     const figure = name === null ? undefined : find(name)?.figure;
