@@ -20,6 +20,7 @@ pub use features::features;
 pub(crate) use fidelity::Gauge;
 pub use fidelity::{Fidelity, fidelity};
 pub use guard::Guard;
+pub(crate) use near::to_side;
 pub use near::{Near, Nearest};
 pub use prepare::MAX_PREPARED;
 pub use thin::MAX_OUTLINE;

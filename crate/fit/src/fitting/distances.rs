@@ -16,6 +16,18 @@ pub(crate) struct Distances {
     pub back: Vec<[Near; 2]>,
 }
 
+/// The nearest of a polyline to points of which each is near the one before it.
+fn in_a_row(nearest: &Nearest, points: impl Iterator<Item = DVec2>) -> Vec<Near> {
+    let mut guess = 0;
+    points
+        .map(|p| {
+            let near = nearest.to_guessed(p, guess);
+            guess = near.side;
+            near
+        })
+        .collect()
+}
+
 impl Distances {
     /// Measures a polyline with the first corners of its edges; with the outline, if there and back.
     pub fn new(
@@ -25,12 +37,11 @@ impl Distances {
         outline: Option<&Nearest>,
     ) -> Self {
         let nearest = Nearest::new(&polyline, true);
-        let points = points.iter().map(|&p| nearest.to(p)).collect();
+        let points = in_a_row(&nearest, points.iter().copied());
         let side = |i: usize| (polyline[i], polyline[if i + 1 == polyline.len() { 0 } else { i + 1 }]);
-        let both = |outline: &Nearest, (a, b): (DVec2, DVec2)| [outline.to(a), outline.to(a.midpoint(b))];
-        let back = outline
-            .map(|outline| (0..polyline.len()).map(|i| both(outline, side(i))).collect())
-            .unwrap_or_default();
+        let places = (0..polyline.len()).map(side).flat_map(|(a, b)| [a, a.midpoint(b)]);
+        let back = outline.map(|outline| in_a_row(outline, places)).unwrap_or_default();
+        let back = back.chunks_exact(2).map(|both| [both[0], both[1]]).collect();
         Self { starts, polyline, points, back }
     }
 

@@ -18,8 +18,11 @@ const MAX_FOLLOWED: usize = 2400;
 /// Edges of copies shorter than this are not opened while fitting, in parts of the diagonal.
 const FITTING_TOLERANCE: f64 = 1.5e-3;
 
-/// Rounds between two looks of the judge, which measures what is drawn.
+/// Rounds between two looks of the judge, which measures what is drawn, at least.
 const ROUNDS_UNSEEN: usize = 16;
+
+/// What has been searched between two looks, in times of what looks take.
+const SEARCH_A_LOOK: u64 = 6;
 
 /// Fits a self-affine closed curve to an outline, one short step after the other.
 ///
@@ -35,6 +38,8 @@ pub struct Fitter {
     straight: Option<Straight>,
     search: Option<Search>,
     judge: Option<Judge>,
+    /// What there must have been searched before the judge looks again.
+    next_look: u64,
     finisher: Option<Finisher>,
     best: ClosedFit,
     stage: Stage,
@@ -58,6 +63,7 @@ impl Fitter {
                 straight: None,
                 search: None,
                 judge: None,
+                next_look: 0,
                 finisher: None,
                 best,
                 stage: Stage::Done,
@@ -86,6 +92,7 @@ impl Fitter {
             straight: Some(straight),
             search: Some(search),
             judge: None,
+            next_look: 0,
             finisher: None,
             best,
             stage: Stage::Straight,
@@ -141,7 +148,9 @@ impl Fitter {
         if let (Some(search), Some(judge)) = (&mut self.search, &mut self.judge)
             && let Some(curve) = search.take_unseen()
         {
+            let before = judge.work();
             judge.show(&curve);
+            self.next_look = search.work() + SEARCH_A_LOOK * (judge.work() - before);
             self.best = of_judge(judge, &self.outline);
             if is_exact(&judge.best().near) {
                 self.stage = Stage::Done;
@@ -178,7 +187,8 @@ impl Fitter {
         if !more {
             self.stage = Stage::Polish;
         }
-        if !more || search.rounds().is_multiple_of(ROUNDS_UNSEEN) {
+        let rested = search.rounds().is_multiple_of(ROUNDS_UNSEEN) && search.work() >= self.next_look;
+        if !more || rested {
             self.look();
         }
     }

@@ -1,13 +1,27 @@
 //! What a fit is measured by in the end, and what it must not be.
 
+use glam::DVec2;
+
 use crate::closed::ClosedCurve;
-use crate::outline::{Fidelity, Gauge, Guard, Outline};
+use crate::outline::{Fidelity, Gauge, Guard, Outline, to_side};
 
 /// The polyline of a fit leaves the curve by no more than this, in parts of the diagonal of the outline, and opens
 /// copies so deep. This is what is drawn, and what is measured.
 pub const DRAWING_TOLERANCE: f64 = 1e-4;
 /// See [`DRAWING_TOLERANCE`].
 pub const DRAWING_LEVELS: usize = 12;
+
+/// A first look takes a coarser drawing: as coarse as this part of the best root mean square, but no coarser than this
+/// part of the diagonal.
+const ROUGH_SHARE: f64 = 0.2;
+const MOST_ROUGH: f64 = 1.5e-3;
+
+/// What lies on a side that is not opened is thought to stray by no more than this times what is seen of its edge.
+const UNSEEN: f64 = 1.25;
+
+/// What it takes to draw a point and to look for crossings there, and to measure it, in the refiner's units of work.
+const DRAWING_WORK: u64 = 16;
+const MEASURING_WORK: u64 = 28;
 
 /// Rounds of taking copies from edges that cross others.
 const MOST_REPAIRS: usize = 12;
@@ -73,6 +87,7 @@ pub(crate) struct Judge {
     guard: Option<Guard>,
     line: Judged,
     best: Judged,
+    work: u64,
 }
 
 impl Judge {
@@ -81,7 +96,7 @@ impl Judge {
         let gauge = Gauge::new(outline);
         let near = gauge.measure(&line.knots);
         let line = Judged { score: score(&near), curve: line, near };
-        Self { gauge, diagonal: outline.diagonal(), guard, best: line.clone(), line }
+        Self { gauge, diagonal: outline.diagonal(), guard, best: line.clone(), line, work: 0 }
     }
 
     /// Where curves may cross themselves.
@@ -94,14 +109,17 @@ impl Judge {
         &self.best
     }
 
+    /// How much has been done so far, in the refiner's units of work, about.
+    pub fn work(&self) -> u64 {
+        self.work
+    }
+
     /// Measures a curve as a document brings it back, and keeps it where it is the best so far. Copies that make it
     /// cross itself are taken from it. Whether it was kept.
     pub fn show(&mut self, curve: &ClosedCurve) -> bool {
-        let Some((curve, line)) = self.untangled(curve) else { return false };
-        // At the same numbers, and so far as is measured: no worse than the polyline.
-        let keeps = |rms: f64, hausdorff: Option<f64>| {
-            rms <= self.line.near.rms && score_of(rms, hausdorff.unwrap_or(0.0), 0.0) < self.best.score
-        };
+        let Some((curve, line)) = self.untangled(curve, true) else { return false };
+        self.work += MEASURING_WORK * line.len() as u64;
+        let keeps = |rms: f64, hausdorff: Option<f64>| self.keeps(rms, hausdorff.unwrap_or(0.0));
         let Some(near) = self.gauge.measure_where(&line, keeps) else { return false };
         let score = score(&near);
         if score >= self.best.score {
@@ -111,6 +129,32 @@ impl Judge {
         true
     }
 
+    /// At the same numbers, and so far as is measured: no worse than the polyline, and better than the best.
+    fn keeps(&self, rms: f64, hausdorff: f64) -> bool {
+        rms <= self.line.near.rms && score_of(rms, hausdorff, 0.0) < self.best.score
+    }
+
+    /// Whether a curve may be better than the best, by a drawing that is coarser than what is measured in the end, and
+    /// takes much less where copies of copies fill the plane.
+    fn may_keep(&mut self, curve: &ClosedCurve) -> bool {
+        let tolerance = (ROUGH_SHARE / 100.0 * self.best.near.rms).min(MOST_ROUGH);
+        if tolerance <= 2.0 * DRAWING_TOLERANCE || curve.copies() == 0 {
+            return true;
+        }
+        let expansion = curve.expand(tolerance * self.diagonal, DRAWING_LEVELS);
+        let line = expansion.points();
+        self.work += DRAWING_WORK * line.len() as u64;
+        let height = |edge: usize| {
+            let (a, b) = (curve.knots[edge], curve.knot(edge + 1));
+            let corners = &line[expansion.starts[edge]..expansion.starts[edge + 1]];
+            let squares = corners.iter().map(|&p| to_side(p, a, b).1);
+            (squares.fold(0.0, f64::max) / a.distance_squared(b)).sqrt()
+        };
+        let steepest = (0..curve.knots.len()).map(height).fold(0.0, f64::max);
+        let least = self.gauge.rms(&line) - 100.0 * UNSEEN * steepest * tolerance;
+        self.keeps(least.max(0.0), 0.0)
+    }
+
     /// Puts the best on a coarser grid, doubled as long as it is as good but for a two-hundredth, and no worse than the
     /// polyline: there it takes fewer bytes.
     pub fn coarsen(&mut self) {
@@ -118,7 +162,7 @@ impl Judge {
         let rms = self.line.near.rms.min(fine.near.rms * (1.0 + COARSE_SHARE));
         for doublings in 1..=MOST_DOUBLINGS {
             let coarse = fine.curve.coarsened(doublings).ok();
-            let Some((curve, line)) = coarse.and_then(|curve| self.untangled(&curve)) else { return };
+            let Some((curve, line)) = coarse.and_then(|curve| self.untangled(&curve, false)) else { return };
             let near = self.gauge.measure(&line);
             let score = score(&near);
             let whole = curve.numbers() == fine.curve.numbers();
@@ -130,12 +174,16 @@ impl Judge {
     }
 
     /// The curve as documents keep it and its drawing, which crosses itself at most where the outline does; none where
-    /// its knots do not allow it.
-    fn untangled(&self, curve: &ClosedCurve) -> Option<(ClosedCurve, Vec<glam::DVec2>)> {
+    /// its knots do not allow it. None, too, where it is only asked for `to_be_best` and will not be.
+    fn untangled(&mut self, curve: &ClosedCurve, to_be_best: bool) -> Option<(ClosedCurve, Vec<DVec2>)> {
         let mut curve = curve.quantised().ok()?;
         for _ in 0..MOST_REPAIRS {
+            if to_be_best && !self.may_keep(&curve) {
+                return None;
+            }
             let expansion = curve.expand(DRAWING_TOLERANCE * self.diagonal, DRAWING_LEVELS);
             let line = expansion.points();
+            self.work += DRAWING_WORK * line.len() as u64;
             let Some(guard) = &self.guard else { return Some((curve, line)) };
             let faults = guard.faults(&line);
             if faults.as_ref().is_some_and(Vec::is_empty) {

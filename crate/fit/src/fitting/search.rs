@@ -153,6 +153,11 @@ impl Search {
         self.rounds
     }
 
+    /// How much has been done so far, in the refiner's units of work.
+    pub fn work(&self) -> u64 {
+        self.refiner.work()
+    }
+
     /// The best of the search, where it was not asked for before.
     pub fn take_unseen(&mut self) -> Option<ClosedCurve> {
         self.unseen.take()

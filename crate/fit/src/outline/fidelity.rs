@@ -61,7 +61,12 @@ impl Gauge {
         self.with_slope(fit, rms, hausdorff, length)
     }
 
-    /// The same where `keeps` says that it is worth it: by the root mean square alone, and then by the Hausdorff
+    /// The root mean square alone.
+    pub fn rms(&self, fit: &[DVec2]) -> f64 {
+        self.squares_of(fit).0
+    }
+
+    /// As [`measure`](Self::measure), where `keeps` says that it is worth it: by the root mean square alone, and then by the Hausdorff
     /// distance as well. What takes longest comes last.
     pub fn measure_where(&self, fit: &[DVec2], keeps: impl Fn(f64, Option<f64>) -> bool) -> Option<Fidelity> {
         let (rms, farthest) = self.squares_of(fit);
@@ -76,14 +81,19 @@ impl Gauge {
     fn squares_of(&self, fit: &[DVec2]) -> (f64, f64) {
         let to_fit = Nearest::new(fit, true);
         let points = self.outline.points();
-        let squares = points.iter().map(|&p| to_fit.to(p).squared);
+        let mut guess = 0;
+        let squares = points.iter().map(|&p| {
+            let near = to_fit.to_guessed(p, guess);
+            guess = near.side;
+            near.squared
+        });
         let (sum, most) = squares.fold((0.0, 0.0_f64), |(sum, most), x| (sum + x, most.max(x)));
         (100.0 * (sum / points.len() as f64).sqrt() / self.diagonal, most)
     }
 
     /// The Hausdorff distance, of which one direction is known, and the length of the fit.
     fn reach_of(&self, fit: &[DVec2], mut farthest: f64) -> (f64, f64) {
-        let mut length = 0.0;
+        let (mut length, mut guess) = (0.0, 0);
         for (i, &a) in fit.iter().enumerate() {
             let b = fit[(i + 1) % fit.len()];
             let side = a.distance(b);
@@ -91,7 +101,9 @@ impl Gauge {
             // Between the ends, too: the middle of a long side may be the farthest.
             let steps = (side / (2e-3 * self.diagonal)).ceil().clamp(1.0, 1000.0);
             for step in 0..steps as usize {
-                farthest = farthest.max(self.nearest.to(a.lerp(b, step as f64 / steps)).squared);
+                let near = self.nearest.to_guessed(a.lerp(b, step as f64 / steps), guess);
+                guess = near.side;
+                farthest = farthest.max(near.squared);
             }
         }
         (100.0 * farthest.sqrt() / self.diagonal, length)
