@@ -4,16 +4,23 @@ use super::final_refine::Finisher;
 use super::fit_error::FitError;
 use super::judge::{Judge, Judged, is_exact};
 use super::progress::{ClosedFit, Progress, Stage};
-use super::search::{FITTING_LEVELS, Search};
-use super::straight::{Straight, enough_points};
+use super::search::{FEW_PAIRS, FITTING_LEVELS, Search};
+use super::straight::Straight;
 use crate::closed::ClosedCurve;
 use crate::outline::{self, Guard, MAX_PREPARED, Nearest, Outline, corners};
 
 /// The least and the most numbers a fit may have.
 const NUMBER_RANGE: (usize, usize) = (12, 2000);
 
-/// The most points of the outline that are followed while searching.
+/// The most points of the outline that are followed.
 const MAX_FOLLOWED: usize = 2400;
+
+/// While searching, each pair of numbers has so many points to follow: half as many as there are pairs, but from this
+/// to that. Few numbers cannot tell more points from these, and the ends follow all.
+const POINTS_A_PAIR: (usize, usize) = (12, 40);
+
+/// What a search on fewer points may take, in parts of what it would take on all of them, for each point.
+const SEARCH_SHARE: f64 = 1.25;
 
 /// Edges of copies shorter than this are not opened while fitting, in parts of the diagonal.
 const FITTING_TOLERANCE: f64 = 1.5e-3;
@@ -37,6 +44,8 @@ pub struct Fitter {
     /// None where the outline itself is no more than that.
     straight: Option<Straight>,
     search: Option<Search>,
+    /// The points that the ends follow; the search follows fewer.
+    followed: Outline,
     judge: Option<Judge>,
     /// What there must have been searched before the judge looks again.
     next_look: u64,
@@ -62,6 +71,7 @@ impl Fitter {
                 diagonal: outline.diagonal(),
                 straight: None,
                 search: None,
+                followed: outline.clone(),
                 judge: None,
                 next_look: 0,
                 finisher: None,
@@ -82,15 +92,18 @@ impl Fitter {
         let (curve, error) = straight.best();
         let best = ClosedFit { curve: curve.clone(), error };
         let most = MAX_FOLLOWED.max(6 * pairs);
-        let thin = thinned(&outline, most.min(enough_points(pairs)));
-        // As many rounds as with all of them.
-        let share = thin.points().len() as f64 / outline.points().len().min(most) as f64;
-        let search = Search::new(thin, pairs, FITTING_TOLERANCE * diagonal, share);
+        let followed = thinned(&outline, most);
+        let thin = thinned(&followed, enough_points(pairs));
+        // As many rounds as with all of them, and some more.
+        let share = SEARCH_SHARE * thin.points().len() as f64 / followed.points().len() as f64;
+        let share = if pairs <= FEW_PAIRS { 1.0 } else { share.min(1.0) };
+        let search = Search::new(thin, pairs, FITTING_TOLERANCE * diagonal, share, outline.points().len());
         Ok(Self {
             outline,
             diagonal,
             straight: Some(straight),
             search: Some(search),
+            followed,
             judge: None,
             next_look: 0,
             finisher: None,
@@ -197,11 +210,10 @@ impl Fitter {
     fn polish(&mut self) {
         if let (Some(search), Some(judge)) = (self.search.take(), self.judge.take()) {
             let reach = search.reach();
-            let followed = search.followed().clone();
             let curves = search.into_found();
             let tolerance = FITTING_TOLERANCE * self.diagonal / 3.0;
             self.finisher =
-                Some(Finisher::new(&followed, judge, &curves, tolerance, FITTING_LEVELS + 1, reach));
+                Some(Finisher::new(&self.followed, judge, &curves, tolerance, FITTING_LEVELS + 1, reach));
             return;
         }
         let Some(finisher) = &mut self.finisher else {
@@ -233,6 +245,11 @@ fn exact(outline: &Outline, most: usize) -> Option<ClosedFit> {
     let nearest = Nearest::new(&curve.knots, true);
     let error = outline.points().iter().map(|&p| nearest.to(p).squared).sum();
     Some(ClosedFit { curve, error })
+}
+
+/// How many points are followed for so many pairs of numbers while searching.
+fn enough_points(pairs: usize) -> usize {
+    pairs * (pairs / 2).clamp(POINTS_A_PAIR.0, POINTS_A_PAIR.1)
 }
 
 /// Some points of an outline, `most` at most.

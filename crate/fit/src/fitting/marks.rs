@@ -1,5 +1,6 @@
 //! A curve whose knots are points of an outline, or near them.
 
+use frond_core::hash;
 use glam::DVec2;
 
 use super::candidates::Stretch;
@@ -83,4 +84,13 @@ pub(crate) fn marks_of(knots: &[DVec2], ring: &[DVec2]) -> Option<Vec<usize>> {
         marks[i] = (first + place) % ring.len();
     }
     Some(marks)
+}
+
+/// So many places of a ring of `count`, or fewer, by chance, in order.
+pub(crate) fn scattered(count: usize, many: usize, seed: u32) -> Vec<usize> {
+    let random = |k: usize| f64::from(hash::unit(hash::counter(seed, 5000 + k as u32)));
+    let mut places: Vec<usize> = (0..many).map(|k| (random(k) * count as f64) as usize % count).collect();
+    places.sort_unstable();
+    places.dedup();
+    places
 }

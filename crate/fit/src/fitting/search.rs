@@ -6,7 +6,7 @@ use frond_core::hash;
 
 use super::candidates::Library;
 use super::choice::{Choice, Temper};
-use super::marks::{Marked, marks_of};
+use super::marks::{Marked, marks_of, scattered};
 use super::moves::{Move, Name};
 use super::outlook::Outlook;
 use super::partition::partition;
@@ -19,6 +19,14 @@ const KNOT_SHARE: f64 = 0.8;
 
 /// After so many rounds without a gain the search sets out anew.
 const IDLE_ROUNDS: usize = 30;
+
+/// With so few pairs of numbers it begins somewhere else instead, and sooner: what can be reached from one beginning is
+/// soon found then, and mostly is not the best.
+pub(crate) const FEW_PAIRS: usize = 24;
+const FEW_IDLE_ROUNDS: usize = 10;
+
+/// A beginning takes as long as so many rounds.
+const ROUNDS_A_BEGINNING: usize = 8;
 
 /// Moves with which it does.
 const RESTART_MOVES: usize = 3;
@@ -45,9 +53,10 @@ pub(crate) const FITTING_LEVELS: usize = 3;
 /// What a search may cost, in the refiner's units of work: so much, and so much more for each pair of numbers.
 const WORK: (u64, u64) = (14_000_000, 84_000);
 
-/// The most rounds for each point that is followed, and for each pair of numbers: in outlines of few points there is
-/// less to be found.
-const ROUNDS: (usize, usize) = (8, 20);
+/// The most rounds for each point of the outline, and for each pair of numbers: in outlines of few points there is
+/// less to be found. With few pairs there are as many as points, but no more than this, for each.
+const ROUNDS: (usize, usize) = (8, 40);
+const ENOUGH_POINTS: usize = 300;
 
 /// A search that gains less than this share over this part of its work ends.
 const STALL: (f64, f64) = (0.002, 0.4);
@@ -75,6 +84,8 @@ pub(crate) struct Search {
     reach: f64,
     /// Rounds without a gain.
     stale: usize,
+    /// Beginnings by chance.
+    beginnings: usize,
     /// Moves that were tried in vain, and until which round they are not tried again.
     refused: BTreeMap<Name, usize>,
     /// The best polyline, until copies have had their time to do better.
@@ -95,11 +106,15 @@ pub(crate) struct Search {
 
 impl Search {
     /// Prepares for so many pairs of numbers. `tolerance` is that of [`Refiner::new`]; of what a search may cost, this
-    /// one has a `share`.
-    pub fn new(thin: Outline, pairs: usize, tolerance: f64, share: f64) -> Self {
+    /// one has a `share`; the outline has so many `points`.
+    pub fn new(thin: Outline, pairs: usize, tolerance: f64, share: f64, points: usize) -> Self {
         let refiner = Refiner::new(thin.points().to_vec(), tolerance, FITTING_LEVELS);
         let whole = (share * (WORK.0 + WORK.1 * pairs as u64) as f64) as u64;
-        let most_rounds = ROUNDS.0 * thin.points().len() + ROUNDS.1 * pairs;
+        let most_rounds = if pairs <= FEW_PAIRS {
+            points.min(ENOUGH_POINTS) * pairs
+        } else {
+            ROUNDS.0 * points + ROUNDS.1 * pairs
+        };
         Self {
             whole,
             most_rounds,
@@ -115,6 +130,7 @@ impl Search {
             greed: 1.0,
             reach: 0.0,
             stale: 0,
+            beginnings: 0,
             refused: BTreeMap::new(),
             line: None,
             loose: false,
@@ -136,11 +152,6 @@ impl Search {
             let error = self.refiner.error(line);
             self.line = Some((Marked { curve: line.clone(), marks }, error));
         }
-    }
-
-    /// The points that are followed.
-    pub fn followed(&self) -> &Outline {
-        &self.thin
     }
 
     /// How far the curve may stray, in plane units.
@@ -183,7 +194,7 @@ impl Search {
         let whole = self.whole as f64;
         let work = self.refiner.work();
         let idle = (work - self.least.1.min(work)) as f64 / (STALL.1 * whole);
-        let tried = self.rounds as f64 / self.most_rounds as f64;
+        let tried = (self.rounds + ROUNDS_A_BEGINNING * self.beginnings) as f64 / self.most_rounds as f64;
         (work as f64 / whole).max(tried).max(idle.min(1.0).powi(4)).min(1.0)
     }
 
@@ -219,6 +230,19 @@ impl Search {
         if !self.error.is_finite() {
             self.begin(decimated(&self.thin, knots));
         }
+        self.add_copies();
+        if !self.error.is_finite() {
+            let Some(line) = self.line.take() else {
+                return false;
+            };
+            (self.now, self.error) = line;
+        }
+        self.note();
+        true
+    }
+
+    /// As many copies as there are numbers for, on a curve of knots alone.
+    fn add_copies(&mut self) {
         self.refine(3);
         let mut outlook = self.outlook(Vec::new());
         let (_, mut using) = outlook.offers(&self.now, self.thin.points(), 0, &BTreeMap::new());
@@ -237,14 +261,29 @@ impl Search {
         }
         self.refiner.reset();
         self.refine(4);
-        if !self.error.is_finite() {
-            let Some(line) = self.line.take() else {
-                return false;
-            };
-            (self.now, self.error) = line;
+    }
+
+    /// Off from knots that chance has put on the outline, and from copies on them. False where that is no curve.
+    fn begin_anew(&mut self) -> bool {
+        self.beginnings += 1;
+        let seed = self.beginnings as u32;
+        let least = self.pairs.div_ceil(2).clamp(3, self.pairs);
+        let random = f64::from(hash::unit(hash::counter(seed, 4999)));
+        let knots = least + (random * (self.pairs - least + 1) as f64) as usize;
+        let marks = scattered(self.thin.points().len(), knots, seed);
+        let kept = (self.now.clone(), self.error);
+        self.error = f64::INFINITY;
+        if marks.len() >= 3 {
+            self.begin(marks);
         }
-        self.note();
-        true
+        if self.error.is_finite() {
+            self.add_copies();
+        }
+        let begun = self.error.is_finite();
+        if !begun {
+            (self.now, self.error) = kept;
+        }
+        begun
     }
 
     /// Keeps in mind what is the best so far.
@@ -325,7 +364,8 @@ impl Search {
     /// One more round without a gain. One in which nothing is left to try is one, too.
     fn grow_stale(&mut self) {
         self.stale += 1;
-        if self.stale >= IDLE_ROUNDS {
+        let idle = if self.pairs <= FEW_PAIRS { FEW_IDLE_ROUNDS } else { IDLE_ROUNDS };
+        if self.stale >= idle {
             self.set_out();
         }
     }
@@ -363,6 +403,9 @@ impl Search {
         let mut outlook = self.outlook(self.refiner.shares(&self.now.curve));
         self.outlook = None;
         self.batch = RESTART_MOVES;
+        if self.pairs <= FEW_PAIRS && self.begin_anew() {
+            return;
+        }
         let (jitter, greed) = (self.jitter, self.greed);
         (self.jitter, self.greed) = (2.0, 4.0);
         let moves = self.choose(&mut outlook);

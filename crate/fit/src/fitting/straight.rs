@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::marks::scattered;
 use super::partition::partition;
 use super::refine::{Refiner, Ties};
 use crate::closed::ClosedCurve;
@@ -9,6 +10,11 @@ use crate::outline::{Guard, Outline, decimated, features, thinned};
 
 /// The most steps of least squares from each beginning.
 const MOST_STEPS: usize = 40;
+
+/// So few corners are also put on the outline by chance, so many times: which polyline they come to depends on where
+/// they begin.
+const FEW_CORNERS: usize = 24;
+const SCATTERED: u32 = 8;
 
 /// A step that gains less than this share is the last.
 const LEAST_GAIN: f64 = 1e-5;
@@ -24,9 +30,17 @@ const EXACT: f64 = 1e-6;
 const TIES: Ties = Ties { back: 0.0, beyond: 1.0, far: 0.0, reach: 0.0 };
 const REACH: f64 = 0.25;
 
+/// How corners are chosen.
+#[derive(Clone, Copy, Debug)]
+enum Beginning {
+    Partition,
+    Features,
+    Scattered(u32),
+}
+
 /// Looks for the polyline of so many corners that is nearest to the points of an outline, step by step.
 ///
-/// It sets out from corners chosen in three ways and moves them by least squares, at first of some points, at last of
+/// It sets out from corners chosen in three ways, few also by chance, and moves them by least squares, at first of some points, at last of
 /// all. It never crosses itself where the
 /// outline does not: the first beginning does not, and no step is made that would.
 #[derive(Clone, Debug)]
@@ -41,7 +55,8 @@ pub(crate) struct Straight {
     scale: f64,
     /// A sum of squares at which there is nothing left to do.
     exact: f64,
-    beginnings: Vec<fn(&Outline, usize) -> Vec<usize>>,
+    /// The last is the next.
+    beginnings: Vec<Beginning>,
     now: Option<(ClosedCurve, f64, usize)>,
     best: ClosedCurve,
     error: f64,
@@ -74,7 +89,9 @@ impl Straight {
             whole.set_guard(guard.clone());
         }
         let error = refiner.error(&first);
-        let beginnings: Vec<fn(&Outline, usize) -> Vec<usize>> = vec![partition, features];
+        let scattered = if corners <= FEW_CORNERS { SCATTERED } else { 0 };
+        let mut beginnings: Vec<_> = (0..scattered).map(Beginning::Scattered).collect();
+        beginnings.extend([Beginning::Partition, Beginning::Features]);
         let many = beginnings.len() + 1 + usize::from(whole.is_some());
         let now = Some((first.clone(), error, 0));
         Self {
@@ -115,7 +132,11 @@ impl Straight {
     pub fn step(&mut self) -> bool {
         let Some((mut curve, error, steps)) = self.now.take() else {
             let Some(beginning) = self.beginnings.pop() else { return self.follow_all() };
-            let marks = beginning(&self.outline, self.corners);
+            let marks = match beginning {
+                Beginning::Partition => partition(&self.outline, self.corners),
+                Beginning::Features => features(&self.outline, self.corners),
+                Beginning::Scattered(seed) => scattered(self.outline.points().len(), self.corners, seed),
+            };
             if marks.len() >= 3 {
                 let curve = of_marks(&self.outline, &marks);
                 self.refiner.reset();
@@ -164,8 +185,8 @@ impl Straight {
     }
 }
 
-/// How many points of an outline are enough to be followed by so many corners, or pairs of numbers.
-pub(crate) fn enough_points(corners: usize) -> usize {
+/// How many points of an outline are enough to be followed by so many corners.
+fn enough_points(corners: usize) -> usize {
     FOLLOWED.0 + FOLLOWED.1 * corners
 }
 
