@@ -1,5 +1,7 @@
 //! What a fit is measured by in the end, and what it must not be.
 
+use std::collections::VecDeque;
+
 use glam::DVec2;
 
 use crate::closed::ClosedCurve;
@@ -22,6 +24,9 @@ const UNSEEN: f64 = 1.25;
 /// What it takes to draw a point and to look for crossings there, and to measure it, in the refiner's units of work.
 const DRAWING_WORK: u64 = 16;
 const MEASURING_WORK: u64 = 28;
+
+/// So many curves that were shown are kept in mind.
+const MOST_SHOWN: usize = 16;
 
 /// Rounds of taking copies from edges that cross others.
 const MOST_REPAIRS: usize = 12;
@@ -87,6 +92,8 @@ pub(crate) struct Judge {
     guard: Option<Guard>,
     line: Judged,
     best: Judged,
+    /// The curves that were shown last, as documents keep them: none of them will be better now than it was then.
+    shown: VecDeque<ClosedCurve>,
     work: u64,
 }
 
@@ -96,7 +103,15 @@ impl Judge {
         let gauge = Gauge::new(outline);
         let near = gauge.measure(&line.knots);
         let line = Judged { score: score(&near), curve: line, near };
-        Self { gauge, diagonal: outline.diagonal(), guard, best: line.clone(), line, work: 0 }
+        Self {
+            gauge,
+            diagonal: outline.diagonal(),
+            guard,
+            best: line.clone(),
+            line,
+            shown: VecDeque::new(),
+            work: 0,
+        }
     }
 
     /// Where curves may cross themselves.
@@ -117,7 +132,15 @@ impl Judge {
     /// Measures a curve as a document brings it back, and keeps it where it is the best so far. Copies that make it
     /// cross itself are taken from it. Whether it was kept.
     pub fn show(&mut self, curve: &ClosedCurve) -> bool {
-        let Some((curve, line)) = self.untangled(curve, true) else { return false };
+        let Ok(curve) = curve.quantised() else { return false };
+        if self.shown.contains(&curve) {
+            return false;
+        }
+        if self.shown.len() == MOST_SHOWN {
+            self.shown.pop_front();
+        }
+        self.shown.push_back(curve.clone());
+        let Some((curve, line)) = self.untangled(&curve, true) else { return false };
         self.work += MEASURING_WORK * line.len() as u64;
         let keeps = |rms: f64, hausdorff: Option<f64>| self.keeps(rms, hausdorff.unwrap_or(0.0));
         let Some(near) = self.gauge.measure_where(&line, keeps) else { return false };

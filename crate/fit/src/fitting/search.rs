@@ -26,7 +26,7 @@ pub(crate) const FEW_PAIRS: usize = 24;
 const FEW_IDLE_ROUNDS: usize = 10;
 
 /// A beginning takes as long as so many rounds.
-const ROUNDS_A_BEGINNING: usize = 8;
+const ROUNDS_A_BEGINNING: usize = 5;
 
 /// Moves with which it does.
 const RESTART_MOVES: usize = 3;

@@ -185,8 +185,9 @@ export interface HoughAssembly {
 }
 
 /**
- * A fit of an outline x0, y0, x1, y1, ..; it takes seconds. `model: "closed"` (the default) spends `numbers`, 12 to
- * 2000, on a closed curve. `"collage"` is the fit of Cochran, Hart & Flynn with so many `maps`.
+ * A fit of an outline x0, y0, x1, y1, ..; one of few numbers takes about a tenth of a second, one of hundreds some
+ * seconds. `model: "closed"` (the default) spends `numbers`, 12 to 2000, on a closed curve. `"collage"` is the fit of
+ * Cochran, Hart & Flynn with so many `maps`.
  */
 export function fitCurve(
   outline: Float64Array | number[],

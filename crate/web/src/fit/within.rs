@@ -103,7 +103,8 @@ impl SplineFit {
 
 /// The nearest curve of corners and parabolas that is found within so many bytes (32 to 4000, everything counted):
 /// `{ word, bytes, corners, bends, points, figures }`. `unpackSpline` reads the bytes, and the word, which is the same
-/// in letters. `points` are those of a polyline, errors in percent of the diagonal. It takes seconds.
+/// in letters. `points` are those of a polyline, errors in percent of the diagonal. An outline
+/// of few corners is fitted at once, another one in some seconds.
 #[wasm_bindgen(
     js_name = fitWithin,
     unchecked_return_type = "{ word: string; bytes: Uint8Array<ArrayBuffer>; corners: number; bends: number; points: Float64Array<ArrayBuffer>; figures: FitFigures }"
