@@ -5,7 +5,7 @@ use super::fit_error::FitError;
 use super::judge::{Judge, Judged, is_exact};
 use super::progress::{ClosedFit, Progress, Stage};
 use super::search::{FEW_PAIRS, FITTING_LEVELS, Search};
-use super::straight::Straight;
+use super::straight::{Straight, enough_points};
 use crate::closed::ClosedCurve;
 use crate::outline::{self, Guard, MAX_PREPARED, Nearest, Outline, corners};
 
@@ -15,12 +15,9 @@ const NUMBER_RANGE: (usize, usize) = (12, 2000);
 /// The most points of the outline that are followed.
 const MAX_FOLLOWED: usize = 2400;
 
-/// While searching, each pair of numbers has so many points to follow: half as many as there are pairs, but from this
-/// to that. Few numbers cannot tell more points from these, and the ends follow all.
-const POINTS_A_PAIR: (usize, usize) = (12, 40);
-
-/// What a search on fewer points may take, in parts of what it would take on all of them, for each point.
-const SEARCH_SHARE: f64 = 1.25;
+/// While searching for few numbers, each pair of them has so many points to follow: it cannot tell more from these, and
+/// the ends follow all.
+const POINTS_A_PAIR: usize = 12;
 
 /// Edges of copies shorter than this are not opened while fitting, in parts of the diagonal.
 const FITTING_TOLERANCE: f64 = 1.5e-3;
@@ -28,7 +25,8 @@ const FITTING_TOLERANCE: f64 = 1.5e-3;
 /// Rounds between two looks of the judge, which measures what is drawn, at least.
 const ROUNDS_UNSEEN: usize = 16;
 
-/// What has been searched between two looks, in times of what looks take.
+/// What has been searched between two looks, in times of what looks take, where numbers are few. With more, what is
+/// measured often is nearer in the end.
 const SEARCH_A_LOOK: u64 = 6;
 
 /// Fits a self-affine closed curve to an outline, one short step after the other.
@@ -44,7 +42,7 @@ pub struct Fitter {
     /// None where the outline itself is no more than that.
     straight: Option<Straight>,
     search: Option<Search>,
-    /// The points that the ends follow; the search follows fewer.
+    /// The points that the ends follow; a search for few numbers follows fewer.
     followed: Outline,
     judge: Option<Judge>,
     /// What there must have been searched before the judge looks again.
@@ -92,11 +90,14 @@ impl Fitter {
         let (curve, error) = straight.best();
         let best = ClosedFit { curve: curve.clone(), error };
         let most = MAX_FOLLOWED.max(6 * pairs);
-        let followed = thinned(&outline, most);
-        let thin = thinned(&followed, enough_points(pairs));
-        // As many rounds as with all of them, and some more.
-        let share = SEARCH_SHARE * thin.points().len() as f64 / followed.points().len() as f64;
-        let share = if pairs <= FEW_PAIRS { 1.0 } else { share.min(1.0) };
+        let (thin, followed, share) = if pairs <= FEW_PAIRS {
+            (thinned(&outline, POINTS_A_PAIR * pairs), thinned(&outline, most), 1.0)
+        } else {
+            let thin = thinned(&outline, most.min(enough_points(pairs)));
+            // As many rounds as with all of them.
+            let share = thin.points().len() as f64 / outline.points().len().min(most) as f64;
+            (thin.clone(), thin, share)
+        };
         let search = Search::new(thin, pairs, FITTING_TOLERANCE * diagonal, share, outline.points().len());
         Ok(Self {
             outline,
@@ -163,7 +164,9 @@ impl Fitter {
         {
             let before = judge.work();
             judge.show(&curve);
-            self.next_look = search.work() + SEARCH_A_LOOK * (judge.work() - before);
+            if judge.looks_roughly() {
+                self.next_look = search.work() + SEARCH_A_LOOK * (judge.work() - before);
+            }
             self.best = of_judge(judge, &self.outline);
             if is_exact(&judge.best().near) {
                 self.stage = Stage::Done;
@@ -179,7 +182,8 @@ impl Fitter {
             return;
         }
         let guard = straight.guard().cloned();
-        let judge = Judge::new(&self.outline, guard.clone(), straight.kept());
+        let few = self.search.as_ref().is_some_and(Search::has_few);
+        let judge = Judge::new(&self.outline, guard.clone(), straight.kept(), few);
         self.best = of_judge(&judge, &self.outline);
         let near = judge.best().near;
         if let Some(search) = &mut self.search {
@@ -247,11 +251,6 @@ fn exact(outline: &Outline, most: usize) -> Option<ClosedFit> {
     Some(ClosedFit { curve, error })
 }
 
-/// How many points are followed for so many pairs of numbers while searching.
-fn enough_points(pairs: usize) -> usize {
-    pairs * (pairs / 2).clamp(POINTS_A_PAIR.0, POINTS_A_PAIR.1)
-}
-
 /// Some points of an outline, `most` at most.
 fn thinned(outline: &Outline, most: usize) -> Outline {
     let ring = outline::thinned(outline.points(), most);
@@ -260,4 +259,63 @@ fn thinned(outline: &Outline, most: usize) -> Outline {
         .ok()
         .filter(|thin| thin.points().first() == ring.first())
         .unwrap_or_else(|| outline.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use frond_core::hash;
+    use glam::DVec2;
+
+    use super::*;
+    use crate::{island, maple_leaf, oak_leaf, sugar_maple, white_oak};
+
+    /// What a fit has in hand while it searches, and what is like it: copies rougher or less rough, knots elsewhere.
+    fn variants(curve: &ClosedCurve, diagonal: f64, seed: u32) -> Vec<ClosedCurve> {
+        let random = |k: usize| f64::from(hash::unit(hash::counter(seed, k as u32)));
+        let varied = |size: f64| {
+            let mut next = curve.clone();
+            for (i, knot) in next.knots.iter_mut().enumerate() {
+                *knot += size * diagonal * (DVec2::new(random(3 * i), random(3 * i + 1)) - 0.5);
+            }
+            for (i, copy) in next.edges.iter_mut().enumerate() {
+                if let Some(copy) = copy {
+                    copy.c *= 1.0 + 40.0 * size * (random(3 * i + 2) - 0.5);
+                }
+            }
+            next
+        };
+        [0.0, 0.002, 0.01, 0.05].map(varied).into_iter().filter(ClosedCurve::is_sound).collect()
+    }
+
+    #[test]
+    fn a_rough_look_refuses_nothing_that_would_be_kept() {
+        let outlines = [maple_leaf(1), sugar_maple(2), white_oak(1), oak_leaf(3), island(4)];
+        let (mut refused, mut kept) = (0, 0);
+        for (which, points) in outlines.iter().enumerate() {
+            let outline = Outline::new(points).unwrap().resampled(150);
+            for numbers in [12, 24] {
+                let mut fitter = Fitter::new(&outline, numbers).unwrap();
+                for step in 0.. {
+                    if fitter.is_done() {
+                        break;
+                    }
+                    fitter.step();
+                    let (Some(search), Some(judge)) = (&fitter.search, &fitter.judge) else { continue };
+                    if step % 16 != 0 {
+                        continue;
+                    }
+                    for curve in variants(search.now(), outline.diagonal(), step) {
+                        let Ok(curve) = curve.quantised() else { continue };
+                        let may = judge.clone().may_keep(&curve);
+                        let keeps = judge.clone().measure(&curve, false);
+                        assert!(may || !keeps, "outline {which}, {numbers} numbers, step {step}");
+                        refused += usize::from(!may);
+                        kept += usize::from(keeps);
+                    }
+                }
+            }
+        }
+        // It saves drawings, and there is something to lose.
+        assert!(refused > 200 && kept > 10, "{refused} refused, {kept} kept");
+    }
 }

@@ -92,14 +92,16 @@ pub(crate) struct Judge {
     guard: Option<Guard>,
     line: Judged,
     best: Judged,
+    /// Whether a rough look comes first.
+    roughly: bool,
     /// The curves that were shown last, as documents keep them: none of them will be better now than it was then.
     shown: VecDeque<ClosedCurve>,
     work: u64,
 }
 
 impl Judge {
-    /// Begins with the best polyline, which is taken as it is.
-    pub fn new(outline: &Outline, guard: Option<Guard>, line: ClosedCurve) -> Self {
+    /// Begins with the best polyline, which is taken as it is. What is shown is looked at `roughly` first, or not.
+    pub fn new(outline: &Outline, guard: Option<Guard>, line: ClosedCurve, roughly: bool) -> Self {
         let gauge = Gauge::new(outline);
         let near = gauge.measure(&line.knots);
         let line = Judged { score: score(&near), curve: line, near };
@@ -109,6 +111,7 @@ impl Judge {
             guard,
             best: line.clone(),
             line,
+            roughly,
             shown: VecDeque::new(),
             work: 0,
         }
@@ -122,6 +125,11 @@ impl Judge {
     /// The best so far.
     pub fn best(&self) -> &Judged {
         &self.best
+    }
+
+    /// Whether a rough look comes first.
+    pub fn looks_roughly(&self) -> bool {
+        self.roughly
     }
 
     /// How much has been done so far, in the refiner's units of work, about.
@@ -140,7 +148,12 @@ impl Judge {
             self.shown.pop_front();
         }
         self.shown.push_back(curve.clone());
-        let Some((curve, line)) = self.untangled(&curve, true) else { return false };
+        self.measure(&curve, self.roughly)
+    }
+
+    /// Keeps a curve where it is the best so far, which a rough look may deny. Whether it was kept.
+    pub fn measure(&mut self, curve: &ClosedCurve, roughly_first: bool) -> bool {
+        let Some((curve, line)) = self.untangled(curve, roughly_first) else { return false };
         self.work += MEASURING_WORK * line.len() as u64;
         let keeps = |rms: f64, hausdorff: Option<f64>| self.keeps(rms, hausdorff.unwrap_or(0.0));
         let Some(near) = self.gauge.measure_where(&line, keeps) else { return false };
@@ -159,7 +172,7 @@ impl Judge {
 
     /// Whether a curve may be better than the best, by a drawing that is coarser than what is measured in the end, and
     /// takes much less where copies of copies fill the plane.
-    fn may_keep(&mut self, curve: &ClosedCurve) -> bool {
+    pub fn may_keep(&mut self, curve: &ClosedCurve) -> bool {
         let tolerance = (ROUGH_SHARE / 100.0 * self.best.near.rms).min(MOST_ROUGH);
         if tolerance <= 2.0 * DRAWING_TOLERANCE || curve.copies() == 0 {
             return true;
@@ -197,11 +210,12 @@ impl Judge {
     }
 
     /// The curve as documents keep it and its drawing, which crosses itself at most where the outline does; none where
-    /// its knots do not allow it. None, too, where it is only asked for `to_be_best` and will not be.
-    fn untangled(&mut self, curve: &ClosedCurve, to_be_best: bool) -> Option<(ClosedCurve, Vec<DVec2>)> {
+    /// its knots do not allow it. None, too, where a rough look says that it will
+    /// not be the best.
+    fn untangled(&mut self, curve: &ClosedCurve, roughly_first: bool) -> Option<(ClosedCurve, Vec<DVec2>)> {
         let mut curve = curve.quantised().ok()?;
         for _ in 0..MOST_REPAIRS {
-            if to_be_best && !self.may_keep(&curve) {
+            if roughly_first && !self.may_keep(&curve) {
                 return None;
             }
             let expansion = curve.expand(DRAWING_TOLERANCE * self.diagonal, DRAWING_LEVELS);

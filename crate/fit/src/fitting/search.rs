@@ -22,7 +22,7 @@ const IDLE_ROUNDS: usize = 30;
 
 /// With so few pairs of numbers it begins somewhere else instead, and sooner: what can be reached from one beginning is
 /// soon found then, and mostly is not the best.
-pub(crate) const FEW_PAIRS: usize = 24;
+pub(crate) const FEW_PAIRS: usize = 12;
 const FEW_IDLE_ROUNDS: usize = 10;
 
 /// A beginning takes as long as so many rounds.
@@ -53,9 +53,9 @@ pub(crate) const FITTING_LEVELS: usize = 3;
 /// What a search may cost, in the refiner's units of work: so much, and so much more for each pair of numbers.
 const WORK: (u64, u64) = (14_000_000, 84_000);
 
-/// The most rounds for each point of the outline, and for each pair of numbers: in outlines of few points there is
+/// The most rounds for each point that is followed, and for each pair of numbers: in outlines of few points there is
 /// less to be found. With few pairs there are as many as points, but no more than this, for each.
-const ROUNDS: (usize, usize) = (8, 40);
+const ROUNDS: (usize, usize) = (8, 20);
 const ENOUGH_POINTS: usize = 300;
 
 /// A search that gains less than this share over this part of its work ends.
@@ -113,7 +113,7 @@ impl Search {
         let most_rounds = if pairs <= FEW_PAIRS {
             points.min(ENOUGH_POINTS) * pairs
         } else {
-            ROUNDS.0 * points + ROUNDS.1 * pairs
+            ROUNDS.0 * thin.points().len() + ROUNDS.1 * pairs
         };
         Self {
             whole,
@@ -154,6 +154,11 @@ impl Search {
         }
     }
 
+    /// Whether it has few pairs of numbers.
+    pub fn has_few(&self) -> bool {
+        self.pairs <= FEW_PAIRS
+    }
+
     /// How far the curve may stray, in plane units.
     pub fn reach(&self) -> f64 {
         self.reach
@@ -172,6 +177,12 @@ impl Search {
     /// The best of the search, where it was not asked for before.
     pub fn take_unseen(&mut self) -> Option<ClosedCurve> {
         self.unseen.take()
+    }
+
+    /// What the next round sets out from.
+    #[cfg(test)]
+    pub fn now(&self) -> &ClosedCurve {
+        &self.now.curve
     }
 
     /// The best curves that were found, the best first.
@@ -364,7 +375,7 @@ impl Search {
     /// One more round without a gain. One in which nothing is left to try is one, too.
     fn grow_stale(&mut self) {
         self.stale += 1;
-        let idle = if self.pairs <= FEW_PAIRS { FEW_IDLE_ROUNDS } else { IDLE_ROUNDS };
+        let idle = if self.has_few() { FEW_IDLE_ROUNDS } else { IDLE_ROUNDS };
         if self.stale >= idle {
             self.set_out();
         }
@@ -403,7 +414,7 @@ impl Search {
         let mut outlook = self.outlook(self.refiner.shares(&self.now.curve));
         self.outlook = None;
         self.batch = RESTART_MOVES;
-        if self.pairs <= FEW_PAIRS && self.begin_anew() {
+        if self.has_few() && self.begin_anew() {
             return;
         }
         let (jitter, greed) = (self.jitter, self.greed);

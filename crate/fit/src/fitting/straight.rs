@@ -13,7 +13,7 @@ const MOST_STEPS: usize = 40;
 
 /// So few corners are also put on the outline by chance, so many times: which polyline they come to depends on where
 /// they begin.
-const FEW_CORNERS: usize = 24;
+const FEW_CORNERS: usize = 12;
 const SCATTERED: u32 = 8;
 
 /// A step that gains less than this share is the last.
@@ -40,9 +40,9 @@ enum Beginning {
 
 /// Looks for the polyline of so many corners that is nearest to the points of an outline, step by step.
 ///
-/// It sets out from corners chosen in three ways, few also by chance, and moves them by least squares, at first of some points, at last of
-/// all. It never crosses itself where the
-/// outline does not: the first beginning does not, and no step is made that would.
+/// It sets out from corners chosen in three ways, few also by chance, and moves them by least squares, at first of some
+/// points, at last of all. It never crosses itself where the outline does not: the first beginning does not, and no step
+/// is made that would.
 #[derive(Clone, Debug)]
 pub(crate) struct Straight {
     outline: Outline,
@@ -185,8 +185,8 @@ impl Straight {
     }
 }
 
-/// How many points of an outline are enough to be followed by so many corners.
-fn enough_points(corners: usize) -> usize {
+/// How many points of an outline are enough to be followed by so many corners, or pairs of numbers.
+pub(crate) fn enough_points(corners: usize) -> usize {
     FOLLOWED.0 + FOLLOWED.1 * corners
 }
 

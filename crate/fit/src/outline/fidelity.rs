@@ -66,8 +66,8 @@ impl Gauge {
         self.squares_of(fit).0
     }
 
-    /// As [`measure`](Self::measure), where `keeps` says that it is worth it: by the root mean square alone, and then by the Hausdorff
-    /// distance as well. What takes longest comes last.
+    /// As [`measure`](Self::measure), where `keeps` says that it is worth it: by the root mean square alone, and then
+    /// by the Hausdorff distance as well. What takes longest comes last.
     pub fn measure_where(&self, fit: &[DVec2], keeps: impl Fn(f64, Option<f64>) -> bool) -> Option<Fidelity> {
         let (rms, farthest) = self.squares_of(fit);
         if !keeps(rms, None) {
