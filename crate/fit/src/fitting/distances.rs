@@ -16,12 +16,16 @@ pub(crate) struct Distances {
     pub back: Vec<[Near; 2]>,
 }
 
+/// With so few edges the side that is nearest is guessed first. Where two sides are equally near, that may name the
+/// other one, and turns a search elsewhere, which gains nothing where it is long.
+const FEW_EDGES: usize = 12;
+
 /// The nearest of a polyline to points of which each is near the one before it.
-fn in_a_row(nearest: &Nearest, points: impl Iterator<Item = DVec2>) -> Vec<Near> {
+fn in_a_row(nearest: &Nearest, points: impl Iterator<Item = DVec2>, guessed: bool) -> Vec<Near> {
     let mut guess = 0;
     points
         .map(|p| {
-            let near = nearest.to_guessed(p, guess);
+            let near = if guessed { nearest.to_guessed(p, guess) } else { nearest.to(p) };
             guess = near.side;
             near
         })
@@ -37,10 +41,11 @@ impl Distances {
         outline: Option<&Nearest>,
     ) -> Self {
         let nearest = Nearest::new(&polyline, true);
-        let points = in_a_row(&nearest, points.iter().copied());
+        let guessed = starts.len() <= FEW_EDGES + 1;
+        let points = in_a_row(&nearest, points.iter().copied(), guessed);
         let side = |i: usize| (polyline[i], polyline[if i + 1 == polyline.len() { 0 } else { i + 1 }]);
         let places = (0..polyline.len()).map(side).flat_map(|(a, b)| [a, a.midpoint(b)]);
-        let back = outline.map(|outline| in_a_row(outline, places)).unwrap_or_default();
+        let back = outline.map(|outline| in_a_row(outline, places, guessed)).unwrap_or_default();
         let back = back.chunks_exact(2).map(|both| [both[0], both[1]]).collect();
         Self { starts, polyline, points, back }
     }

@@ -76,7 +76,7 @@ impl Default for FitOptions {
     }
 }
 
-/// A fit of an outline x0, y0, x1, y1, ..; one of few numbers takes about a tenth of a second, one of hundreds some
+/// A fit of an outline x0, y0, x1, y1, ..; one of 12 numbers takes about a tenth of a second, one of hundreds some
 /// seconds. `model: "closed"` (the default) spends `numbers`, 12 to 2000, on a closed curve: `{ curve, points, figures,
 /// bytes }`. `"collage"` is the fit of Cochran, Hart & Flynn with so many `maps`. Its types, which depend on the model,
 /// are in `types.d.ts`.

@@ -185,7 +185,7 @@ export interface HoughAssembly {
 }
 
 /**
- * A fit of an outline x0, y0, x1, y1, ..; one of few numbers takes about a tenth of a second, one of hundreds some
+ * A fit of an outline x0, y0, x1, y1, ..; one of 12 numbers takes about a tenth of a second, one of hundreds some
  * seconds. `model: "closed"` (the default) spends `numbers`, 12 to 2000, on a closed curve. `"collage"` is the fit of
  * Cochran, Hart & Flynn with so many `maps`.
  */
