@@ -41,8 +41,8 @@ enum Beginning {
 /// Looks for the polyline of so many corners that is nearest to the points of an outline, step by step.
 ///
 /// It sets out from corners chosen in three ways, few also by chance, and moves them by least squares, at first of some
-/// points, at last of all. It never crosses itself where the outline does not: the first beginning does not, and no step
-/// is made that would.
+/// points, at last of all. It never crosses itself where the outline does not: the first beginning does not, and no
+/// step is made that would.
 #[derive(Clone, Debug)]
 pub(crate) struct Straight {
     outline: Outline,
