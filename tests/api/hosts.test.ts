@@ -3,7 +3,7 @@ import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "vitest";
-import { HOSTS } from "../hosts/hosts.mjs";
+import { HOSTS, pinsOf } from "../hosts/hosts.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const doc = readFileSync(join(root, "docs/embed.md"), "utf8");
@@ -36,10 +36,10 @@ test("its table has a row for each host, with the versions that are installed", 
   const rows = [...doc.matchAll(/^\|(.*)\|(.*)\| `cargo xtask test hosts -- (\S+)` \|$/gm)];
   expect(rows.map(([, , , name]) => name).toSorted()).toEqual(Object.keys(known).toSorted());
   for (const [, , versions = "", name = ""] of rows) {
-    const manifest = JSON.parse(readFileSync(join(root, "tests/hosts", name, "package.json"), "utf8"));
+    const pinned = pinsOf(join(root, "tests/hosts", name));
     const named = [...versions.matchAll(/([\w.-]+) (\d+\.\d+\.\d+)/g)];
     for (const [, program = "", version] of named)
-      expect(manifest.dependencies[program], `${name}: ${program}`).toBe(version);
+      expect(pinned[program], `${name}: ${program}`).toBe(version);
     for (const program of known[name]?.programs ?? [])
       expect(
         named.map(([, other]) => other),
@@ -53,10 +53,8 @@ test("each folder is a host, pinned to exact versions, and the other test of the
   const names = folders.filter((entry) => entry.isDirectory()).map(({ name }) => name);
   expect(names.toSorted()).toEqual(Object.keys(known).toSorted());
   for (const name of names) {
-    const { dependencies } = JSON.parse(
-      readFileSync(join(root, "tests/hosts", name, "package.json"), "utf8"),
-    );
-    for (const version of Object.values(dependencies)) expect(version, name).toMatch(/^\d+\.\d+\.\d+$/);
+    for (const version of Object.values(pinsOf(join(root, "tests/hosts", name))))
+      expect(version, name).toMatch(/^\d+\.\d+\.\d+$/);
   }
   for (const [, spec = ""] of doc.matchAll(/test webgl2 -- (\S+\.ts)/g))
     expect(existsSync(join(root, "tests/e2e", spec)), spec).toBe(true);

@@ -1,8 +1,9 @@
 /**
  * The hosts, in the order of `docs/embed.md`. `programs` are what its table names; `build` are the commands of the
- * host, `serves` the folder that a plain server sends then, `start` and `dev` servers of its own.
+ * host, `serves` the folder that a plain server sends then, `start` and `dev` servers of its own. What is written in
+ * Python has an environment of its own, with what its `requirements.txt` names.
  */
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
 /** The frame of the studio asks for WebGPU, once. */
@@ -69,7 +70,17 @@ export const HOSTS = {
     after: drawn,
   },
   reveal: { programs: ["reveal.js"], serves: ".", studio: true, also: slides, expected: ADAPTERS },
-  notebook: { serves: "." },
+  notebook: {
+    programs: ["jupyterlab", "anywidget"],
+    python: true,
+    start:
+      "jupyter lab --allow-root --no-browser --port PORT --ServerApp.port_retries=0 --IdentityProvider.token= " +
+      "--LabApp.news_url=",
+    // Said of every kernel that listens on this machine.
+    usual: /Kernel is running over TCP without encryption/,
+    opens: "lab/tree/morph.ipynb",
+    first: runs,
+  },
   policy: {
     serves: ".",
     headers: {
@@ -81,6 +92,14 @@ export const HOSTS = {
     output: "The pool says: connected",
   },
 };
+
+/** The versions that the project in a folder pins, by name. */
+export function pinsOf(folder) {
+  const { dependencies } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  const requirements = join(folder, "requirements.txt");
+  const lines = existsSync(requirements) ? readFileSync(requirements, "utf8").trim().split("\n") : [];
+  return { ...dependencies, ...Object.fromEntries(lines.map((line) => line.split("=="))) };
+}
 
 /** The slider has its arrow keys for itself, elsewhere they turn the page, and the next has a picture behind it. */
 async function slides(page) {
@@ -94,6 +113,13 @@ async function slides(page) {
   await page.waitForFunction(() => document.querySelectorAll("section.past").length === 1);
   const behind = page.frameLocator("iframe[src*='embed.html']");
   await behind.getByRole("img").or(behind.locator("canvas")).first().waitFor();
+}
+
+/** All cells of the notebook. */
+async function runs(page) {
+  await page.getByText("Python 3 (ipykernel) | Idle").waitFor();
+  await page.getByRole("menuitem", { name: "Run", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Run All Cells", exact: true }).click();
 }
 
 /** Fails unless the program of Node has written its picture, and told its verdict. */

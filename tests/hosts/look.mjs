@@ -6,7 +6,8 @@ const VERDICT = "In one piece, proved";
 const LIT = 1000;
 
 /** Opens it, and fails unless there is a picture of the moment 0.4 with its verdict, and a quiet console. */
-export async function look(browser, address, { view = true, output: words = VERDICT, also, expected } = {}) {
+export async function look(browser, address, host = {}) {
+  const { view = true, output: words = VERDICT, first, also, expected } = host;
   const page = await browser.newPage();
   page.setDefaultTimeout(TIMEOUT);
   const said = [];
@@ -19,6 +20,7 @@ export async function look(browser, address, { view = true, output: words = VERD
   await page.route("**/favicon.ico", (route) => route.fulfill({ status: 204 }));
   try {
     await page.goto(address);
+    await first?.(page);
     await page.waitForFunction(lit, LIT);
     if (view) {
       await page.locator("frond-view").first().getByText(VERDICT).waitFor();

@@ -6,12 +6,12 @@
  *
  * FROND_PACKAGE is the folder of the package (target/package/frond), FROND_CHROMIUM the browser.
  */
-import { cpSync, existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { cpSync, existsSync, mkdtempSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
-import { HOSTS } from "./hosts.mjs";
+import { HOSTS, pinsOf } from "./hosts.mjs";
 import { look } from "./look.mjs";
 import { freePort, reached, run, serveFolder, start } from "./servers.mjs";
 
@@ -74,8 +74,8 @@ if (failed.length > 0) {
 
 /** The programs that the host is made of, as its manifest pins them. */
 function versions(name, { programs = [] }) {
-  const { dependencies } = JSON.parse(readFileSync(join(here, name, "package.json"), "utf8"));
-  const told = programs.map((program) => `${program} ${dependencies[program]}`);
+  const pinned = pinsOf(join(here, name));
+  const told = programs.map((program) => `${program} ${pinned[program]}`);
   return (name === "node" ? [`node ${process.versions.node}`] : told).join(" + ");
 }
 
@@ -86,6 +86,10 @@ async function tried(name, host, tarball) {
   const log = [];
   const say = (text) => log.push(text);
   await run("npm", ["install", "--no-audit", "--no-fund", "--save-exact", tarball], app);
+  if (host.python) {
+    await run("python3", ["-m", "venv", ".venv"], app);
+    await run(".venv/bin/pip", ["install", "--quiet", "--requirement", "requirements.txt"], app);
+  }
   try {
     for (const line of host.build ?? []) say(await run("npx", ["--no-install", ...line.split(" ")], app));
     refuseWarnings(log.join("\n"));
@@ -108,12 +112,15 @@ async function tried(name, host, tarball) {
 /** A server of the host's own. */
 async function whileRunning(line, app, host) {
   const port = await freePort();
-  const server = start("npx", ["--no-install", ...line.replace("PORT", port).split(" ")], app);
+  const [program, ...words] = line.replace("PORT", port).split(" ");
+  const server = host.python
+    ? start(join(app, ".venv/bin", program), words, app, { HOME: app })
+    : start("npx", ["--no-install", program, ...words], app);
   try {
-    const address = `http://localhost:${port}/`;
+    const address = `http://localhost:${port}/${host.opens ?? ""}`;
     await reached(address, server);
     await look(browser, address, host);
-    refuseWarnings(server.output());
+    refuseWarnings(server.output(), host.usual);
   } catch (problem) {
     throw new Error(`\`${line}\`: ${problem.message}\n${server.output()}`);
   } finally {
@@ -121,9 +128,10 @@ async function whileRunning(line, app, host) {
   }
 }
 
-function refuseWarnings(output) {
+function refuseWarnings(output, usual) {
   const lines = output
     .split("\n")
+    .filter((line) => !usual?.test(line))
     .filter((line) => /\bwarn(ing)?s?\b/i.test(line) && !/\b(0|no) warnings?\b/i.test(line));
   if (lines.length > 0) throw new Error(`it warns:\n${output}`);
 }

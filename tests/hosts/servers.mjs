@@ -32,10 +32,10 @@ process.on("exit", () => {
 for (const signal of ["SIGINT", "SIGTERM"]) process.on(signal, () => process.exit(130));
 
 /** Starts a program, with what it prints and a way to end it and all that it has started. */
-export function start(program, words, cwd) {
+export function start(program, words, cwd, more = {}) {
   const child = spawn(program, words, {
     cwd,
-    env: ENVIRONMENT,
+    env: { ...ENVIRONMENT, ...more },
     detached: true,
     stdio: ["ignore", "pipe", "pipe"],
   });
