@@ -49,22 +49,27 @@ impl Splats {
     /// where that makes it finer.
     #[must_use]
     pub fn draw(frame: &Frame, to_screen: Affine2, window: Window, points: u64) -> Self {
-        let codes = vec![ShortCode::default(); window.area()];
-        let mut splats = Self { window, codes, whole: true, maps: frame.maps.len(), points: 0 };
-        if !to_screen.is_finite() {
-            return splats;
+        let mut splats = Self { window, codes: Vec::new(), whole: true, maps: frame.maps.len(), points: 0 };
+        // A row and a pixel more than there are: points outside of the window go there.
+        splats.codes.resize(window.area() + window.width as usize + 1, ShortCode::default());
+        if to_screen.is_finite() {
+            splats.all(frame, to_screen, points);
         }
-        splats.whole = splats.pieces(frame, to_screen, SPACING);
-        if !splats.whole {
-            splats.rough(frame, to_screen);
-            return splats;
+        splats.codes.truncate(window.area());
+        splats
+    }
+
+    fn all(&mut self, frame: &Frame, to_screen: Affine2, points: u64) {
+        self.whole = self.pieces(frame, to_screen, SPACING);
+        if !self.whole {
+            self.rough(frame, to_screen);
+            return;
         }
-        let first = splats.points;
+        let first = self.points;
         let spacing = SPACING * (first as f64 / points.saturating_sub(first).max(1) as f64).sqrt();
         if spacing < FINER.0 {
-            splats.pieces(frame, to_screen, spacing.max(FINER.1));
+            self.pieces(frame, to_screen, spacing.max(FINER.1));
         }
-        splats
     }
 
     /// Draws all pieces in the window, later ones first. Returns whether these were not too many.
@@ -155,10 +160,6 @@ struct Placement {
     linear: [f32; 4],
     /// In pixels from a corner of the piece's box, so that `f32` is exact to a thousandth however large the picture.
     translation: [f32; 2],
-    /// The pixels of a row.
-    width: u32,
-    /// The place of that corner among the pixels; it may be outside.
-    corner: isize,
     /// The first pixel of the window from that corner, in numbers that wrap around, and its sides.
     low: [u32; 2],
     size: [u32; 2],
@@ -167,8 +168,6 @@ struct Placement {
 /// Added to a number from 0 to 2^22, this leaves the nearest integer in its low bits.
 const TO_INTEGER: f32 = 8_388_608.0;
 const INTEGER_BITS: u32 = 0x007f_ffff;
-/// No place: larger than all that have so many bits.
-const OUTSIDE: u32 = u32::MAX;
 
 impl Placement {
     fn new(map: &Affine2, window: Window, extent: &Extent) -> Self {
@@ -178,34 +177,28 @@ impl Placement {
             linear: [a, b, c, d].map(|x| x as f32),
             // The nearest integer to what is half a pixel less is the pixel.
             translation: [(e - corner.x - 0.5) as f32, (f - corner.y - 0.5) as f32],
-            width: window.width,
-            corner: (corner.y as isize).wrapping_mul(window.width as isize).wrapping_add(corner.x as isize),
             low: [(-corner.x) as i64 as u32, (-corner.y) as i64 as u32],
             size: [window.width, window.height],
         }
     }
 
-    /// Tells where each point is among the pixels, and which it is; a place that there is not for one outside.
+    /// Tells where each point is among the pixels, and which it is; behind the last of them for one outside.
     #[inline]
     fn each(&self, cloud: &Cloud, mut put: impl FnMut(usize, &CloudPoint)) {
         let [a, b, c, d] = self.linear;
         let [e, f] = self.translation;
+        let [width, height] = self.size;
         for ([xs, ys], points) in cloud.places.iter().zip(cloud.points.chunks(LANES)) {
             let mut places = [0_u32; LANES];
             for k in 0..LANES {
                 let x = (a * xs[k] + b * ys[k] + e + TO_INTEGER).to_bits() & INTEGER_BITS;
                 let y = (c * xs[k] + d * ys[k] + f + TO_INTEGER).to_bits() & INTEGER_BITS;
-                let inside = (x.wrapping_sub(self.low[0]) < self.size[0])
-                    & (y.wrapping_sub(self.low[1]) < self.size[1]);
-                places[k] = if inside { y.wrapping_mul(self.width).wrapping_add(x) } else { OUTSIDE };
+                let (x, y) = (x.wrapping_sub(self.low[0]), y.wrapping_sub(self.low[1]));
+                let y = if x < width { y } else { height };
+                places[k] = y.min(height).wrapping_mul(width).wrapping_add(x.min(width));
             }
             for (place, point) in places.into_iter().zip(points) {
-                let at = if place == OUTSIDE {
-                    usize::MAX
-                } else {
-                    self.corner.wrapping_add(place as isize) as usize
-                };
-                put(at, point);
+                put(place as usize, point);
             }
         }
     }
@@ -398,7 +391,7 @@ mod tests {
                 let exact = map.apply(glam::Vec2::from(point.position).as_dvec2());
                 let pixel = window.pixel(exact).map(|(x, y)| (y * window.width + x) as usize);
                 within += u32::from(pixel.is_some());
-                differ += u32::from(pixel.unwrap_or(usize::MAX) != at);
+                differ += u32::from(pixel.unwrap_or(at.max(window.area())) != at);
             });
             assert!(within > 50 && differ <= 2, "{row:?}: {differ} of {within}");
         }
