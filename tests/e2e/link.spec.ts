@@ -90,6 +90,9 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   await expect(paper).toHaveCount(0);
 
   const other = await browser.newContext({ viewport: page.viewportSize(), serviceWorkers: "block" });
+  // By what draws here: the shades of pieces of pieces differ where the processor draws.
+  const draws = await page.evaluate(() => Reflect.get(globalThis, "frondBackend"));
+  await other.addInitScript((name) => Object.assign(globalThis, { frondBackend: name }), draws);
   // Whoever was never here, and wants less motion.
   const second = new (
     studio.constructor as new (
