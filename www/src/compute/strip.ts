@@ -12,6 +12,7 @@ import { boxAt } from "#geometry/boxes";
 import { type Uv, uvAt } from "#geometry/path";
 import { stretches, widestOf } from "#geometry/states";
 import type { Colouring, MapRow, Scene } from "#wasm/api";
+import { bendsFor } from "#wasm/bend";
 import { Coalesce } from "#workers/pool/coalesce";
 import { epoch, submit } from "#workers/pool/engine";
 import type { Job } from "#workers/pool/protocol";
@@ -116,7 +117,8 @@ export function scheduleStrip(): void {
       last = what;
       setFrames((frame) => outdated(frame, shapes !== before, coloured));
       if (timer) clearTimeout(timer);
-      timer = setTimeout(() => submit(stripJob(what)), SETTLE_MS);
+      const begin = (bends?: WebAssembly.Module) => last === what && submit(stripJob({ ...what, bends }));
+      timer = setTimeout(() => bendsFor(what)?.then(begin, () => begin()) ?? begin(), SETTLE_MS);
     });
   });
 }
@@ -126,9 +128,10 @@ interface What {
   points: Uv[];
   colouring: Colouring;
   colours: string[];
+  bends?: WebAssembly.Module | undefined;
 }
 
-function stripJob({ inputs, points, colouring, colours }: What): Job<"picture"> {
+function stripJob({ inputs, points, colouring, colours, bends }: What): Job<"picture"> {
   const dpr = Math.min(2, globalThis.devicePixelRatio || 1);
   const size = { width: Math.round(FRAME_WIDTH * dpr), height: Math.round(FRAME_HEIGHT * dpr) };
   const edge = MARGIN * dpr;
@@ -149,6 +152,7 @@ function stripJob({ inputs, points, colouring, colours }: What): Job<"picture"> 
         kind: "picture" as const,
         maps,
         options: { ...size, view: fitFor(boxAt(track, t), size, insets), colouring, palette: colours },
+        bends,
       };
       places.set(task, i);
       return task;

@@ -14,8 +14,11 @@ let here: Bends | null = null;
 /** Whether this thread has it. */
 export const bendsReady = (): boolean => here !== null;
 
+/** Fetches it, for this thread and for workers: each of them would fetch it anew. */
+const compileBends = once(() => compiled(wasmUrl));
+
 /** Fetches and starts it on this thread. */
-export const loadBends = once(() => startBends(compiled(wasmUrl)));
+export const loadBends = once(() => startBends(compileBends()));
 
 export async function startBends(module: Promise<WebAssembly.Module>): Promise<Bends> {
   const [bindings, compiled] = await Promise.all([import("../../pkg/frond-bend.js"), module]);
@@ -31,7 +34,12 @@ export function bends(): Bends {
 }
 
 /** Whether a picture is drawn by what bends: densities are as well, which the first picture does without. */
-const needsBends = ({ bend, colouring }: RasterOptions) => bend !== undefined || colouring === "density";
+const needsBends = ({ bend, colouring }: Pick<RasterOptions, "bend" | "colouring">) =>
+  bend !== undefined || colouring === "density";
+
+/** What a worker has to be handed for such a picture, if anything. */
+export const bendsFor = (options: Pick<RasterOptions, "bend" | "colouring">) =>
+  needsBends(options) ? compileBends() : undefined;
 
 /** Draws an attractor; of a bent one, and of a density, this comes after `loadBends`. */
 export function rasterize(ifs: Ifs, options: RasterOptions): Uint8ClampedArray {
@@ -40,8 +48,12 @@ export function rasterize(ifs: Ifs, options: RasterOptions): Uint8ClampedArray {
   return frond.rasterize(ifs, unbent);
 }
 
-/** The same, with what has to be fetched for it. */
-export async function rasterized(ifs: Ifs, options: RasterOptions): Promise<Uint8ClampedArray> {
-  if (needsBends(options)) await loadBends();
+/** The same, with what this thread was handed for it; what it was not is fetched. */
+export async function rasterized(
+  ifs: Ifs,
+  options: RasterOptions,
+  handed?: WebAssembly.Module,
+): Promise<Uint8ClampedArray> {
+  if (needsBends(options) && !here) await (handed ? startBends(Promise.resolve(handed)) : loadBends());
   return rasterize(ifs, options);
 }

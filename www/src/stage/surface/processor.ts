@@ -1,7 +1,7 @@
 import type { Photograph } from "#document/deform/photograph";
 import type { View } from "#geometry/coordinates";
 import type { Bend, MapRow, RasterOptions } from "#wasm/api";
-import { bends, bendsReady, loadBends } from "#wasm/bend";
+import { bends, bendsFor, bendsReady, loadBends } from "#wasm/bend";
 import { frond, type RenderStyle } from "#wasm/core";
 import { frameTask } from "#workers/frames/client";
 import type { Frame } from "#workers/frames/tasks";
@@ -107,7 +107,7 @@ export class Processor implements Surface {
     return { complete, settled: complete, points: 0, whole: this.milliseconds < Number.POSITIVE_INFINITY };
   }
 
-  #draw(request: Request, quality: Quality, lane: 0 | 1): Promise<Frame> {
+  async #draw(request: Request, quality: Quality, lane: 0 | 1): Promise<Frame> {
     const { maps, weights, bend, view, style } = request;
     const moving = quality === "moving";
     const draft = moving && !bend && style.colouring !== "density";
@@ -122,7 +122,7 @@ export class Processor implements Surface {
       draft,
       ...(bend ? { bend } : {}),
     };
-    return frameTask("frame", { maps, weights, options }, { lane });
+    return frameTask("frame", { maps, weights, options, bends: await bendsFor(options) }, { lane });
   }
 
   #paint({ width, height, ratio }: Request, { image, milliseconds }: Frame, quality: Quality): void {

@@ -7,6 +7,8 @@ export interface FrameOf {
   maps: MapRow[];
   weights: number[] | undefined;
   options: RasterOptions;
+  /** See `bendsFor`. */
+  bends: WebAssembly.Module | undefined;
 }
 
 export interface Frame {
@@ -17,9 +19,9 @@ export interface Frame {
 
 export const tasks = {
   /** One picture of an attractor. */
-  async frame({ transfer }: Context, { maps, weights, options }: FrameOf): Promise<Frame> {
+  async frame({ transfer }: Context, { maps, weights, options, bends }: FrameOf): Promise<Frame> {
     const start = performance.now();
-    const pixels = await rasterized(weighted(maps, weights), options);
+    const pixels = await rasterized(weighted(maps, weights), options, bends);
     const { width, height } = options;
     const data = new ImageData(pixels as Uint8ClampedArray<ArrayBuffer>, width, height);
     const image = await createImageBitmap(data);

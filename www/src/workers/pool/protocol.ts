@@ -120,7 +120,14 @@ export interface Tasks {
     straight: boolean;
     closely: boolean;
   };
-  picture: { kind: "picture"; maps: MapRow[]; weights?: number[] | undefined; options: RasterOptions };
+  picture: {
+    kind: "picture";
+    maps: MapRow[];
+    weights?: number[] | undefined;
+    options: RasterOptions;
+    /** See `bendsFor`. */
+    bends?: WebAssembly.Module | undefined;
+  };
   /** What an index buffer says; its pixels stay behind. */
   buffer: { kind: "buffer"; ifs: Ifs; options: IndexBufferOptions };
 }

@@ -171,9 +171,9 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
       const { verdict, gap, diameter } = answer(frond, ifs, epsilon);
       return { verdict, gap, diameter };
     }),
-  async picture({ transfer }, { maps, weights, options }) {
+  async picture({ transfer }, { maps, weights, options, bends }) {
     const { width, height } = options;
-    const pixels = await rasterized(weighted(maps, weights), options);
+    const pixels = await rasterized(weighted(maps, weights), options, bends);
     const image = await createImageBitmap(
       new ImageData(pixels as Uint8ClampedArray<ArrayBuffer>, width, height),
     );

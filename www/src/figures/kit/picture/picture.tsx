@@ -1,10 +1,11 @@
-import { useMemo, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { type Box, fitFor } from "#document/framing";
 import { dark } from "#document/preferences";
 import type { Size } from "#geometry/coordinates";
 import { GREY } from "#style/colours";
 import { palette } from "#style/palette";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
+import { bendsFor } from "#wasm/bend";
 import type { Task } from "#workers/pool/protocol";
 import { useRested } from "../rest";
 import { useAsk, useValue } from "../workers";
@@ -45,15 +46,16 @@ export function Picture({
   const onDark = useValue(dark);
   const coarse = useRested(bend) !== bend;
   const [shown, setShown] = useState<Task<"picture"> | null>(null);
+  const bends = useBends(bend, colouring);
   const task = useMemo<Task<"picture"> | null>(() => {
-    if (full === null) return null;
+    if (full === null || bends === null) return null;
     const size = coarse ? coarser(full) : full;
     const view = fitFor(box, size, margin);
     const all = palette(onDark ? "dark" : "light");
     const colours = hues ? hues.map((hue) => all[hue % all.length] ?? GREY) : all;
     const options = { ...size, view, colouring, palette: colours };
-    return { kind: "picture", maps, options: bend ? { ...options, bend } : options };
-  }, [maps, box, full, coarse, margin, onDark, colouring, hues, bend]);
+    return { kind: "picture", maps, options: bend ? { ...options, bend } : options, bends };
+  }, [maps, box, full, coarse, margin, onDark, colouring, hues, bend, bends]);
   useAsk<"picture">(task, priority, {
     accept(about, bitmap) {
       if (canvas.current) paint(canvas.current, bitmap);
@@ -75,6 +77,16 @@ export function Picture({
       {...pictured(label)}
     />
   );
+}
+
+/** What the worker has to be handed: null until it is fetched. */
+function useBends(bend: Bend | undefined, colouring: Colouring): WebAssembly.Module | undefined | null {
+  const [bends, setBends] = useState<WebAssembly.Module | null>(null);
+  const asked = bendsFor(bend ? { bend, colouring } : { colouring });
+  useEffect(() => {
+    asked?.then(setBends, () => {});
+  }, [asked]);
+  return asked && bends;
 }
 
 function paint(canvas: HTMLCanvasElement, bitmap: ImageBitmap): void {
