@@ -73,6 +73,7 @@ function samples(entries) {
       { c: [0.3, 0.2] },
     );
   const view = () => space.defaultView(space.defaultSpace());
+  const shaded = () => space.defaultSpace().light;
   const light = () => space.defaultSpace().light;
   const look = () => ({ width: 8, height: 8, factor: 1, palette: ["#112233"], ground: "#ffffff" });
   const locus = () => proof.locus(gasket(), gasket(), { width: 7, height: 7 });
@@ -287,6 +288,19 @@ function samples(entries) {
       "HoughFirst.add": () => [new Uint32Array(128 ** 3)],
       "SpacePicture.carve": () => [view(), 8, 8],
       "SpacePicture.carveRows": () => [view(), 8, 8, 2, 6, 1],
+      "SpacePicture.carveLamp": () => [view(), shaded(), 64, 64, 0, 8],
+      "SpacePicture.lampSide": () => [view(), shaded(), 8, 8],
+      "SpacePicture.lightReach": () => [view(), shaded(), 1],
+      "SpacePicture.lightRows": () => [
+        view(),
+        { ...shaded(), shadows: 0 },
+        { width: 8, height: 8, factor: 1, palette: [], ground: "#101418" },
+        { top: 0, rows: [2, 6] },
+        new Float32Array(64).fill(5),
+        new Uint32Array(64).fill(1),
+        new Float32Array(0),
+        1,
+      ],
       "SpacePicture.clouds": () => [100],
       "SpaceMesh.file": () => ["stl", ["#112233"]],
       locusCsv: () => [plane, 7, new Uint8Array(49), new Float32Array(49)],

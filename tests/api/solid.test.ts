@@ -109,6 +109,56 @@ describe("space", () => {
     expect(refused(() => new space.SpacePicture([]))).toBe("bad-input");
   });
 
+  it("is lit from what was carved before as it is painted at once, with shadows", () => {
+    const picture = new space.SpacePicture(wrong(objects()));
+    const bright = { ...light(), shadows: 0, occlusion: 0 };
+    const paint = (lit: ReturnType<typeof light>) => {
+      const carve = picture.carve(view(), 120, 90);
+      while (!carve.run(20_000));
+      return { pixels: carve.paint(lit, look(60, 45, 2)), depth: carve.depth(), codes: carve.codes() };
+    };
+    const { pixels, depth, codes } = paint(light());
+    const sum = (bytes: ArrayLike<number>) => Array.from(bytes).reduce((all, byte) => all + byte, 0);
+    // Shadows and occlusion take light away, and nothing else: the same pixels are lit.
+    const without = paint(bright).pixels;
+    expect(sum(without)).toBeGreaterThan(sum(pixels));
+    expect(lit(without)).toBe(lit(pixels));
+    expect(Array.from(pixels).every((byte, i) => byte <= (without[i] ?? 0) + 1)).toBe(true);
+    const side = picture.lampSide(view(), light(), 60, 45);
+    expect(picture.lampSide(view(), bright, 60, 45)).toBe(0);
+    const seen = picture.carveLamp(view(), light(), 60, 45, 0, side);
+    while (!seen.run(20_000));
+    const lamp = seen.depth();
+    expect(lamp).toHaveLength(side * side);
+    const around = picture.lightReach(view(), light(), 1);
+    const parts = [
+      [0, 40],
+      [40, 90],
+    ].map(([from = 0, to = 0]) => {
+      const top = Math.max(0, from - around);
+      const [first, last] = [120 * top, 120 * Math.min(90, to + around)];
+      const cut = [depth.slice(first, last), codes.slice(first, last)] as const;
+      return [
+        ...picture.lightRows(view(), light(), look(60, 45, 2), { top, rows: [from, to] }, ...cut, lamp, 1),
+      ];
+    });
+    expect(parts.flat()).toEqual([...pixels]);
+    const none = () =>
+      picture.lightRows(
+        view(),
+        light(),
+        look(60, 45, 2),
+        { top: 0, rows: [0, 90] },
+        depth,
+        codes,
+        lamp.slice(1),
+        1,
+      );
+    expect(refused(none)).toBe("bad-input");
+    expect(refused(() => picture.carveLamp(view(), bright, 60, 45, 0, 8))).toBe("bad-input");
+    expect(refused(() => picture.carveLamp(view(), light(), 60, 45, 0, side + 1))).toBe("bad-input");
+  });
+
   it("is seen alike at any size", () => {
     const carved = (scale: number) => {
       const scene = space.defaultSpace();

@@ -260,6 +260,32 @@ test("no object of several leaves unasked, and the background goes with the link
   await other.close();
 });
 
+test("a link of before casts no shadows, and what is chosen of light is in the link and is undone", async ({
+  studio,
+  page,
+}) => {
+  await studio.open(TETRAHEDRON);
+  await complete(page);
+  const [before, word] = [await studio.look(), await packed(studio)];
+  expect(word).not.toContain("/f:");
+  await page.getByRole("radio", { name: "Light", exact: true }).first().check({ force: true });
+  await page.getByText("Shadows and material").click();
+  const shadows = page.getByRole("slider", { name: "Shadows", exact: true });
+  await expect(shadows).toHaveValue("0");
+  await shadows.focus();
+  await page.keyboard.press("End");
+  await expect.poll(() => packed(studio)).toContain("o:tetrahedron/f:1,0,0,0,0,0");
+  await complete(page);
+  const shaded = await studio.look();
+  expect(shaded.hash).not.toBe(before.hash);
+  // It is the same shape, and darker.
+  expect(shaded.lit).toBe(before.lit);
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  await expect.poll(() => packed(studio)).toBe(word);
+  await complete(page);
+  expect((await studio.look()).hash).toBe(before.hash);
+});
+
 test("the tetrahedron becomes a dragon on a path that holds", async ({ studio, page }) => {
   test.setTimeout(400_000);
   await studio.open(TETRAHEDRON);

@@ -110,7 +110,7 @@ fn main() {
             let lighting = objects.lit(Lighting::default());
             let lamp = Lamp::new(&lighting, &cameras[1], [width, height], 1, traversal.range());
             let colours = Colours::new(Colouring::Map, &PALETTE, 20);
-            let (painted, _) = time(|| light(buffer, &lamp, &colours));
+            let (painted, _) = time(|| light(buffer, &lamp, &colours, None));
             println!(
                 "{id} {width} x {height}: carved in {:.1} and {:.1} ms, painted in {painted:.1} ms; {} pixels lit, {:x}",
                 carving[0],

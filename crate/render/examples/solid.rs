@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // What it leaves is a depth buffer. Light makes a picture of it, in which each twentieth has a colour of its own.
     let colours = Colours::new(Colouring::Map, &[], sponge.len());
     let lamp = Lamp::new(&Lighting::default(), &camera, [side, side], 1, traversal.range());
-    let pixels = light(traversal.depth_buffer(), &lamp, &colours);
+    let pixels = light(traversal.depth_buffer(), &lamp, &colours, None);
 
     // RGBA with straight alpha; a PPM has no alpha, so that it is laid on white.
     let mut file = format!("P6 {side} {side} 255\n").into_bytes();

@@ -8,6 +8,7 @@
 //! A graphics card draws [`Cloud`]s of points in the time of a frame, splats them by [`SplatStep`]s, fills what holes
 //! are left ([`fill_holes`]) and lights them alike; at rest it is given the complete depth buffer.
 
+mod around;
 mod bent;
 mod camera;
 mod depth_buffer;
@@ -18,10 +19,13 @@ mod lens;
 mod objects;
 mod points;
 mod shade;
+mod shadow;
 mod shape;
 mod splat;
+mod tone;
 mod traversal;
 
+pub use around::reach_of;
 pub use bent::Bent;
 pub use camera::{Camera, CameraError};
 pub use depth_buffer::DepthBuffer;
@@ -29,6 +33,7 @@ pub use hole_fill::fill_holes;
 pub use lamp::{Lamp, Lighting, Paint};
 pub use objects::Objects;
 pub use points::{Cloud, Eye, Instance3, Vertex3};
-pub use shade::{light, light_rows, reach_of};
+pub use shade::{light, light_rows};
+pub use shadow::{LampView, Shadows, depths_of_lamp};
 pub use splat::SplatStep;
 pub use traversal::{MAX_OBJECTS, Traversal, depths};

@@ -947,6 +947,18 @@ export interface SpaceLight {
   hollows: number;
   /** How much fades into the ground colour at the farthest depth. */
   fog: number;
+  /** How dark cast shadows are, 0 to 1: this and what follows is 0, or off, where it is absent. */
+  shadows?: number;
+  /** How soft the edges of shadows are. */
+  softness?: number;
+  /** How much of the light from everywhere what is around keeps off. */
+  occlusion?: number;
+  /** How far the light from everywhere is that of a blue sky, and the other warm. */
+  sky?: number;
+  /** From rough, 0, to glossy, 1. */
+  gloss?: number;
+  /** Whether bright tones are compressed, as on film, and not cut off. */
+  filmic?: boolean;
 }
 
 /** The first object on its way to another shape (Burch & Hart, eq 6, in space). */

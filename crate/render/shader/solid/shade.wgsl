@@ -21,7 +21,11 @@ struct Lamp {
     factor: i32,
     // How far hollows are looked for: 1 in a picture that has as many pixels as it is to have in the end.
     reach: f32,
-    unused: f32,
+    // How much of the light from everywhere what is around keeps off: not used here.
+    occlusion: f32,
+    // Sky light, gloss, 1 for the curve of film; the last is not used here. Cast shadows and what is far around are
+    // seen in the complete picture that the processor lights.
+    finish: vec4<f32>,
     // A colour for each object that has one: its alpha is 1.
     tints: array<vec4<f32>, 60>,
 }
@@ -137,8 +141,32 @@ fn lit(at: vec2<i32>) -> vec4<f32> {
     let normal = normal_at(at, depth);
     let facing = max(dot(normal, lamp.towards.xyz), 0.0);
     let open = 1.0 - lamp.hollows * hollow_at(at, depth, normal);
-    let shine = (lamp.towards.w + (1.0 - lamp.towards.w) * facing) * open;
-    let light = pow(pow(colour, vec3<f32>(2.2)) * shine * 1.25, vec3<f32>(1.0 / 2.2));
+    let rise = 0.5 + 0.5 * dot(normal, lamp.up.xyz);
+    let white = vec3<f32>(1.0);
+    let dome = mix(vec3<f32>(0.62, 0.48, 0.36), vec3<f32>(0.95, 1.25, 1.75), rise);
+    let sky = lamp.towards.w * mix(white, dome, lamp.finish.x);
+    let sun = (1.0 - lamp.towards.w) * facing * mix(white, vec3<f32>(1.22, 1.0, 0.74), lamp.finish.x);
+    var shine = pow(colour, vec3<f32>(2.2)) * (sky + sun);
+    if lamp.finish.y > 0.0 {
+        let eye = -normalize(point_at(at, 1.0));
+        let half = normalize(eye + lamp.towards.xyz);
+        let sharp = trunc(6.0 + 250.0 * lamp.finish.y * lamp.finish.y);
+        let slanted = 0.04 + 0.96 * pow(1.0 - clamp(dot(eye, half), 0.0, 1.0), 5.0);
+        shine += lamp.finish.y * slanted * pow(max(dot(normal, half), 0.0), sharp) * (sharp + 8.0) * 0.25 * sun;
+    }
+    shine *= open;
+    if lamp.finish.z > 0.5 {
+        shine *= 1.85;
+        let most = max(shine.r, max(shine.g, shine.b));
+        let over = most - 0.55;
+        if over > 0.0 {
+            let tone = 0.55 + 0.45 * over / (over + 0.45);
+            shine = mix(shine * (tone / most), vec3<f32>(tone), over / (over + 6.0));
+        }
+    } else {
+        shine *= 1.25;
+    }
+    let light = pow(shine, vec3<f32>(1.0 / 2.2));
     let fog = lamp.ground.w * clamp((depth - lamp.range.x) / max(lamp.range.y - lamp.range.x, 1e-30), 0.0, 1.0);
     return vec4<f32>(clamp(mix(light, lamp.ground.rgb, fog), vec3<f32>(0.0), vec3<f32>(1.0)), 1.0);
 }
@@ -149,12 +177,14 @@ fn light_fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f
     var sum = vec4<f32>(0.0);
     for (var y = 0; y < lamp.factor; y++) {
         for (var x = 0; x < lamp.factor; x++) {
-            sum += lit(at + vec2<i32>(x, y));
+            // Light adds up as it is, not as it is written.
+            let one = lit(at + vec2<i32>(x, y));
+            sum += vec4<f32>(pow(one.rgb, vec3<f32>(2.2)), one.a);
         }
     }
     if sum.a == 0.0 {
         return sum;
     }
     let alpha = sum.a / f32(lamp.factor * lamp.factor);
-    return vec4<f32>(sum.rgb / sum.a * (1.0 + (alpha - 1.0) * colours.premultiply), alpha);
+    return vec4<f32>(pow(sum.rgb / sum.a, vec3<f32>(1.0 / 2.2)) * (1.0 + (alpha - 1.0) * colours.premultiply), alpha);
 }

@@ -34,6 +34,16 @@ impl DepthBuffer {
         Self { width, height, depth: vec![f32::INFINITY; pixels], codes: vec![0; pixels], levels }
     }
 
+    /// What was made elsewhere, row by row from the top; `None` where it is no picture. It knows no more of boxes than
+    /// of their pixels.
+    #[must_use]
+    pub fn of(width: u32, depth: Vec<f32>, codes: Vec<u32>) -> Option<Self> {
+        let height = u32::try_from(depth.len() / width.max(1) as usize).ok()?;
+        let whole = width > 0 && height > 0 && depth.len() == width as usize * height as usize;
+        let levels = Vec::new();
+        (whole && codes.len() == depth.len()).then_some(Self { width, height, depth, codes, levels })
+    }
+
     /// Pixels a row.
     #[must_use]
     pub fn width(&self) -> u32 {

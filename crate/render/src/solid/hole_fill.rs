@@ -1,7 +1,7 @@
 //! Closing the holes of a surface of points: a CPU twin of `shader/solid/hole_fill.wgsl`.
 
 use super::DepthBuffer;
-use super::shade::NOTHING_DEPTH;
+use super::around::NOTHING_DEPTH;
 use super::splat::SEEN_MASK;
 
 /// How many of the nine pixels around a hole, itself included, lie before it.

@@ -24,6 +24,18 @@ pub struct Lighting {
     pub ambient: f64,
     /// How dark hollows are: 0 to 1.
     pub hollows: f64,
+    /// How dark cast shadows are: 0 to 1.
+    pub shadows: f64,
+    /// How soft their edges are: 0 for a small light, 1 for a large one.
+    pub softness: f64,
+    /// How much of the light from everywhere what is around keeps off: 0 to 1.
+    pub occlusion: f64,
+    /// How far the light from everywhere is that of a blue sky over brown ground, and the other warm: 0 to 1.
+    pub sky: f64,
+    /// How much light the surface mirrors, and how sharply: 0 is rough.
+    pub gloss: f64,
+    /// Whether the brightest tones are compressed, as on film, and not cut off.
+    pub filmic: bool,
     /// How much fades into the ground colour at the farthest depth: 0 to 1.
     pub fog: f64,
     /// What fog fades into, sRGB from 0 to 1.
@@ -42,6 +54,12 @@ impl Default for Lighting {
             towards: DVec3::new(-0.5, 0.8, -0.6),
             ambient: 0.35,
             hollows: 0.75,
+            shadows: 0.0,
+            softness: 0.0,
+            occlusion: 0.0,
+            sky: 0.0,
+            gloss: 0.0,
+            filmic: false,
             fog: 0.25,
             ground: [0.0; 3],
             paint: Paint::Map,
@@ -87,8 +105,10 @@ pub struct Lamp {
     pub factor: i32,
     /// How far hollows are looked for: 1 in a picture that has as many pixels as it is to have in the end.
     pub reach: f32,
-    /// Nothing.
-    pub unused: f32,
+    /// How much of the light from everywhere what is around keeps off; the shader leaves that to the picture at rest.
+    pub occlusion: f32,
+    /// Sky light, gloss, 1 for the curve of film, and how dark cast shadows are, which the shader leaves alike.
+    pub finish: [f32; 4],
     /// A colour for each object that has one: its alpha is 1.
     pub tints: [[f32; 4]; MAX_OBJECTS],
 }
@@ -117,7 +137,13 @@ impl Lamp {
             height: f32::from(u8::from(lighting.paint == Paint::Height)),
             factor: factor.max(1) as i32,
             reach: 1.0,
-            unused: 0.0,
+            occlusion: part(lighting.occlusion),
+            finish: [
+                part(lighting.sky),
+                part(lighting.gloss),
+                f32::from(u8::from(lighting.filmic)),
+                part(lighting.shadows),
+            ],
             tints: std::array::from_fn(tint),
         }
     }

@@ -76,6 +76,11 @@ impl Objects {
         Self { systems, bends, bounds, carved: OnceLock::new(), tints, heights, centre, radius, unit }
     }
 
+    /// What each of them lies in, in their units.
+    pub(super) fn bounds(&self) -> &[Bounds3] {
+        &self.bounds
+    }
+
     /// The bends, one an object.
     #[must_use]
     pub fn bends(&self) -> &[Option<Bent>] {

@@ -1,38 +1,22 @@
 //! From depths to a picture: a CPU twin of `shader/solid/shade.wgsl`.
 
-use std::f32::consts::TAU;
 use std::ops::Range;
 
-use glam::{BVec4A, Vec3, Vec4};
+use glam::{Vec3, Vec4};
 
+use super::around::{Around, LANES};
 use super::points::OBJECT_BIT;
+use super::shadow::Shadows;
+use super::tone::{film, light_of, written};
 use super::{DepthBuffer, Lamp};
 use crate::picture::colour::Colours;
-
-/// Pixels to each side that the lie of the surface is taken from.
-const NORMAL_REACH: i32 = 2;
-/// Rings of pixels at which hollows are looked for, and how much each counts.
-const HOLLOW_RINGS: [(f32, f32); 4] = [(2.0, 0.2), (5.0, 0.3), (12.0, 0.3), (28.0, 0.2)];
-/// Directions on a ring.
-const RING_DIRECTIONS: usize = 8;
-
-/// What the reach of a lamp is held to: steps are to be of some length, and within the margin.
-const LEAST_REACH: f32 = 1e-3;
-const MOST_REACH: f32 = 4.0;
-
-/// As deep as nothing is.
-pub(super) const NOTHING_DEPTH: f32 = 1e30;
-/// What stands for a depth beyond the border of the picture, where none is known.
-const UNKNOWN_DEPTH: f32 = 0.0;
-/// So many pixels of a row are lit side by side.
-const LANES: usize = 4;
 
 /// RGBA pixels of a depth buffer, row 0 on top, as `lamp` has it: `lamp.factor` x `lamp.factor` pixels of the buffer
 /// make one.
 #[must_use]
-pub fn light(buffer: &DepthBuffer, lamp: &Lamp, colours: &Colours) -> Vec<u8> {
+pub fn light(buffer: &DepthBuffer, lamp: &Lamp, colours: &Colours, shadows: Option<&Shadows>) -> Vec<u8> {
     let rows = (lamp.size[1] / lamp.factor.max(1)).max(0) as u32;
-    light_rows(buffer, 0, lamp, colours, 0..rows)
+    light_rows(buffer, 0, lamp, colours, shadows, 0..rows)
 }
 
 /// Some rows of that picture, from a buffer that has those of its source from `top` on. It should have all that is to
@@ -43,10 +27,11 @@ pub fn light_rows(
     top: u32,
     lamp: &Lamp,
     colours: &Colours,
+    shadows: Option<&Shadows>,
     rows: Range<u32>,
 ) -> Vec<u8> {
     let factor = lamp.factor.max(1) as usize;
-    let mut scene = Scene::new(buffer, top, lamp, colours);
+    let mut scene = Scene::new(buffer, top, lamp, colours, shadows);
     let width = lamp.size[0].max(0) as usize / factor;
     let mut pixels = Vec::with_capacity(4 * width * rows.len());
     let mut sums = vec![Vec4::ZERO; width];
@@ -59,7 +44,8 @@ pub fn light_rows(
                 if codes.iter().any(|&code| code != 0) {
                     for (lane, lit) in scene.lit(group * LANES, y, codes).into_iter().enumerate() {
                         if let Some(sum) = sums.get_mut((group * LANES + lane) / factor) {
-                            *sum += lit;
+                            // Light adds up as it is, not as it is written.
+                            *sum += if factor > 1 { light_of(lit.truncate()).extend(lit.w) } else { lit };
                         }
                     }
                 }
@@ -71,8 +57,10 @@ pub fn light_rows(
                 continue;
             }
             let alpha = sum.w / (factor * factor) as f32;
-            let scale = (1.0 + (alpha - 1.0) * colours.premultiply) / sum.w;
-            let colour = (sum.truncate() * scale).extend(alpha).clamp(Vec4::ZERO, Vec4::ONE);
+            let scale = 1.0 + (alpha - 1.0) * colours.premultiply;
+            let colour = sum.truncate() / sum.w;
+            let colour = if factor > 1 { written(colour) } else { colour };
+            let colour = (colour * scale).extend(alpha).clamp(Vec4::ZERO, Vec4::ONE);
             // A cast rounds down.
             pixels.extend((colour * 255.0 + 0.5).to_array().map(|c| c as u8));
         }
@@ -80,80 +68,28 @@ pub fn light_rows(
     pixels
 }
 
-/// How far the light of a pixel hangs on others, in pixels of the source.
-#[must_use]
-pub fn reach_of(lamp: &Lamp) -> u32 {
-    let widest = HOLLOW_RINGS[HOLLOW_RINGS.len() - 1].0 * lamp.reach.clamp(0.0, MOST_REACH);
-    (widest.ceil() as u32).max(NORMAL_REACH as u32)
-}
-
-/// A step to a pixel on a ring.
-#[derive(Clone, Copy, Debug)]
-struct Step {
-    dx: i32,
-    dy: i32,
-    /// The radius of the ring.
-    radius: f32,
-}
-
 struct Scene<'a> {
     buffer: &'a DepthBuffer,
     top: usize,
     lamp: &'a Lamp,
     colours: &'a Colours,
-    /// Depths with a margin all around, so that neighbours of pixels are there without being asked for.
-    depths: Vec<f32>,
-    margin: usize,
-    stride: usize,
-    rings: [[Step; RING_DIRECTIONS]; HOLLOW_RINGS.len()],
+    around: Around,
+    shadows: Option<&'a Shadows<'a>>,
     /// The colour of the code that was seen last: pieces are seen in one place.
     last: (u32, Vec3),
 }
 
-/// What is known of some pixels side by side: points and directions, coordinate by coordinate.
-#[derive(Clone, Copy)]
-struct Lanes {
-    x: Vec4,
-    y: Vec4,
-    z: Vec4,
-}
-
-impl Lanes {
-    fn dot(self, other: Self) -> Vec4 {
-        self.x * other.x + self.y * other.y + self.z * other.z
-    }
-}
-
 impl<'a> Scene<'a> {
-    fn new(buffer: &'a DepthBuffer, top: u32, lamp: &'a Lamp, colours: &'a Colours) -> Self {
-        let margin = reach_of(lamp) as usize;
-        let (width, height) = (buffer.width() as usize, buffer.height() as usize);
-        // Lanes at the end of a row may look beyond its margin.
-        let stride = width + 2 * margin + LANES;
-        let mut depths = vec![UNKNOWN_DEPTH; stride * (height + 2 * margin)];
-        for (row, from) in buffer.depth().chunks_exact(width).enumerate() {
-            let at = (row + margin) * stride + margin;
-            for (to, depth) in depths[at..at + width].iter_mut().zip(from) {
-                *to = depth.min(NOTHING_DEPTH);
-            }
-        }
-        let step = |ring: usize, ray: usize| {
-            let radius = HOLLOW_RINGS[ring].0 * lamp.reach.clamp(LEAST_REACH, MOST_REACH);
-            // Rings are turned against each other.
-            let angle = TAU * (ray as f32 + 0.25 * ring as f32) / RING_DIRECTIONS as f32;
-            let along = |part: f32| (radius * part).round() as i32;
-            Step { dx: along(angle.cos()), dy: along(angle.sin()), radius }
-        };
-        let rings = std::array::from_fn(|ring| std::array::from_fn(|ray| step(ring, ray)));
+    fn new(
+        buffer: &'a DepthBuffer,
+        top: u32,
+        lamp: &'a Lamp,
+        colours: &'a Colours,
+        shadows: Option<&'a Shadows<'a>>,
+    ) -> Self {
         let top = top as usize;
-        Self { buffer, top, lamp, colours, depths, margin, stride, rings, last: (0, Vec3::ZERO) }
-    }
-
-    /// Depths of some pixels beside each other, `step` pixels of the margin away from the first of them.
-    #[inline]
-    fn depths_at(&self, first: usize, dx: i32, dy: i32) -> Vec4 {
-        let at = first.wrapping_add_signed(dx as isize + dy as isize * self.stride as isize);
-        Vec4::from_slice(&self.depths[at..at + LANES])
+        let around = Around::new(buffer, top, lamp);
+        Self { buffer, top, lamp, colours, around, shadows, last: (0, Vec3::ZERO) }
     }
 
     /// The codes of a row of the source; none where the buffer does not have it.
@@ -166,27 +102,43 @@ impl<'a> Scene<'a> {
     /// The colours of some pixels of the source, which have these codes, and 1 where there is something.
     fn lit(&mut self, x: usize, y: usize, codes: &[u32]) -> [Vec4; LANES] {
         let mut lit = [Vec4::ZERO; LANES];
-        let first = (y - self.top + self.margin) * self.stride + x + self.margin;
-        let depth = self.depths_at(first, 0, 0);
-        let slant = self.slant(x as f32, y as f32);
-        let normal = self.normal(first, depth, slant);
+        let first = self.around.place(x, y);
+        let depth = self.around.depths_at(first, 0, 0);
+        let slant = self.around.slant(x as f32, y as f32);
+        let normal = self.around.normal(first, depth, slant);
         let lamp = self.lamp;
         let towards = Vec4::from(lamp.towards);
-        let facing = normal.x * towards.x + normal.y * towards.y + normal.z * towards.z;
-        let open = Vec4::ONE - self.hollow(first, depth, slant, normal) * lamp.hollows;
-        let shine = (facing.max(Vec4::ZERO) * (1.0 - towards.w) + towards.w) * open;
+        let facing = (normal.x * towards.x + normal.y * towards.y + normal.z * towards.z).max(Vec4::ZERO);
+        let [hollow, covered] = self.around.covered(first, y & 1 == 1, depth, slant, normal);
+        let open = Vec4::ONE - hollow * lamp.hollows;
+        let free = Vec4::ONE - covered * lamp.occlusion;
         let [near, far, ..] = lamp.range;
         let ground = Vec4::from(lamp.ground);
         let fog = (depth - near) / (far - near).max(1e-30);
         let fog = fog.clamp(Vec4::ZERO, Vec4::ONE) * ground.w;
+        let [sky, gloss, filmic, dark] = lamp.finish;
         for (lane, &code) in codes.iter().enumerate() {
             let Some(place) = code.checked_sub(1) else { continue };
-            let point = Vec3::new(slant.x[lane], slant.y[lane], 1.0) * depth[lane];
+            let way = Vec3::new(slant.x[lane], slant.y[lane], 1.0);
+            let point = way * depth[lane];
             let colour = self.colour(place, point);
-            // Light adds up as it is, not as it is written.
-            let light = colour.max(Vec3::ZERO) * (shine[lane] * 1.25).powf(1.0 / 2.2);
-            let light = light.lerp(ground.truncate(), fog[lane]);
-            lit[lane] = light.clamp(Vec3::ZERO, Vec3::ONE).extend(1.0);
+            let normal = Vec3::new(normal.x[lane], normal.y[lane], normal.z[lane]);
+            let mut lamplight = (1.0 - towards.w) * facing[lane];
+            if let Some(shadows) = self.shadows.filter(|_| dark > 0.0 && facing[lane] > 0.0) {
+                lamplight *= 1.0 - dark * (1.0 - shadows.lit(point, normal, [x + lane, y]));
+            }
+            let [lamplight, skylight] = [Vec3::splat(lamplight), Vec3::splat(towards.w * free[lane])];
+            let rise = 0.5 + 0.5 * normal.dot(Vec4::from(lamp.up).truncate());
+            let skylight = skylight * Vec3::ONE.lerp(GROUND_LIGHT.lerp(SKY_LIGHT, rise), sky);
+            let lamplight = lamplight * Vec3::ONE.lerp(WARM_LIGHT, sky);
+            let mut light = light_of(colour) * (skylight + lamplight);
+            if gloss > 0.0 && facing[lane] > 0.0 {
+                light += mirrored(gloss, way, normal, towards.truncate()) * lamplight;
+            }
+            light *= open[lane] * if filmic > 0.5 { FILM_EXPOSURE } else { PLAIN_EXPOSURE };
+            let light = written(if filmic > 0.5 { film(light) } else { light });
+            let light = light.lerp(ground.truncate(), fog[lane]).clamp(Vec3::ZERO, Vec3::ONE);
+            lit[lane] = light.extend(1.0);
         }
         lit
     }
@@ -209,82 +161,32 @@ impl<'a> Scene<'a> {
         }
         self.last.1
     }
-
-    /// Where pixels are seen, at depth 1.
-    fn slant(&self, x: f32, y: f32) -> Lanes {
-        let Lamp { size: [width, height], focal, .. } = *self.lamp;
-        let (cx, cy) = (0.5 * width as f32, 0.5 * height as f32);
-        Lanes {
-            x: (Vec4::new(x, x + 1.0, x + 2.0, x + 3.0) + (0.5 - cx)) / focal,
-            y: Vec4::splat((cy - y - 0.5) / focal),
-            z: Vec4::ONE,
-        }
-    }
-
-    /// The lie of the surface: a plane through what is near, by least squares, each pixel weighed by how near it is in
-    /// depth.
-    fn normal(&self, first: usize, depth: Vec4, slant: Lanes) -> Lanes {
-        let [mut xx, mut xy, mut yy, mut xz, mut yz] = [Vec4::ZERO; 5];
-        for dy in -NORMAL_REACH..=NORMAL_REACH {
-            for dx in -NORMAL_REACH..=NORMAL_REACH {
-                let near = self.depths_at(first, dx, dy);
-                let seen = seen(near);
-                // In pixels. Of a plane it is the inverse of the depth that changes evenly from pixel to pixel.
-                let step = (Vec4::ONE - depth / Vec4::select(seen, near, depth)) * self.lamp.focal;
-                let weight = Vec4::select(seen, (step * step * 0.15 + 1.0).recip(), Vec4::ZERO);
-                let (fx, fy) = (dx as f32, dy as f32);
-                xx += weight * (fx * fx);
-                xy += weight * (fx * fy);
-                yy += weight * (fy * fy);
-                xz += weight * step * fx;
-                yz += weight * step * fy;
-            }
-        }
-        let det = xx * yy - xy * xy;
-        let flat = det.cmplt(Vec4::splat(1e-3));
-        let det = Vec4::select(flat, Vec4::ONE, det);
-        let (gx, gy) = ((xz * yy - yz * xy) / det, (yz * xx - xz * xy) / det);
-        // Rows go down, y goes up; and beside the middle of the picture the eye looks at a slant.
-        let z = slant.y * gy - slant.x * gx - 1.0;
-        let length = (gx * gx + gy * gy + z * z).to_array().map(f32::sqrt);
-        let scale = Vec4::from(length).recip();
-        let side = |along: Vec4| Vec4::select(flat, Vec4::ZERO, along * scale);
-        Lanes { x: side(gx), y: side(-gy), z: Vec4::select(flat, Vec4::NEG_ONE, z * scale) }
-    }
-
-    /// How much of what is around stands out of the plane of the surface: 0 in the open, 1 in a deep hole. A slope
-    /// alone is no hollow, and what lies beyond the border of the picture is not known: it does not count as open.
-    fn hollow(&self, first: usize, depth: Vec4, slant: Lanes, normal: Lanes) -> Vec4 {
-        let focal = self.lamp.focal;
-        let unit = depth / focal;
-        let own = Lanes { x: slant.x * depth, y: slant.y * depth, z: depth };
-        let mut sum = Vec4::ZERO;
-        for (ring, (_, share)) in self.rings.iter().zip(HOLLOW_RINGS) {
-            let (mut covered, mut known) = (Vec4::ZERO, Vec4::ZERO);
-            let scale = (unit * ring[0].radius).recip();
-            for step in ring {
-                let there = self.depths_at(first, step.dx, step.dy);
-                known += Vec4::select(there.cmpgt(Vec4::splat(UNKNOWN_DEPTH)), Vec4::ONE, Vec4::ZERO);
-                let (right, up) = (step.dx as f32 / focal, -step.dy as f32 / focal);
-                let way = Lanes {
-                    x: ((slant.x + right) * there - own.x) * scale,
-                    y: ((slant.y + up) * there - own.y) * scale,
-                    z: (there - own.z) * scale,
-                };
-                let rise = normal.dot(way);
-                // What lies far before it is something else, and throws little shade.
-                let shade = (rise * 0.7).min(Vec4::ONE) / (way.dot(way) * 0.02 + 1.0);
-                covered += Vec4::select(seen(there) & rise.cmpgt(Vec4::ZERO), shade, Vec4::ZERO);
-            }
-            sum += covered * share / known.max(Vec4::ONE);
-        }
-        sum.min(Vec4::ONE)
-    }
 }
 
-/// Where there is something.
-fn seen(depth: Vec4) -> BVec4A {
-    depth.cmpgt(Vec4::splat(UNKNOWN_DEPTH)) & depth.cmplt(Vec4::splat(NOTHING_DEPTH))
+/// How much light white would give back if all fell on it: what is facing the lamp may be brighter than white where
+/// nothing is cut off.
+const PLAIN_EXPOSURE: f32 = 1.25;
+const FILM_EXPOSURE: f32 = 1.85;
+/// Light of the sky, of the ground, and of a low sun: white in the middle.
+const SKY_LIGHT: Vec3 = Vec3::new(0.95, 1.25, 1.75);
+const GROUND_LIGHT: Vec3 = Vec3::new(0.62, 0.48, 0.36);
+const WARM_LIGHT: Vec3 = Vec3::new(1.22, 1.0, 0.74);
+
+/// The exponent of a highlight, from broad to narrow: whole, so that it takes no logarithm.
+fn sharpness(gloss: f32) -> i32 {
+    (6.0 + 250.0 * gloss * gloss) as i32
+}
+
+/// How much of the lamp a surface of this gloss mirrors, by what falls on it: half way between eye and lamp most.
+fn mirrored(gloss: f32, way: Vec3, normal: Vec3, towards: Vec3) -> f32 {
+    let eye = -way.normalize();
+    let half = (eye + towards).normalize_or_zero();
+    let sharp = sharpness(gloss);
+    let narrow = normal.dot(half).max(0.0).powi(sharp);
+    let sharp = sharp as f32;
+    // At a slant everything mirrors.
+    let slanted = 0.04 + 0.96 * (1.0 - eye.dot(half).clamp(0.0, 1.0)).powi(5);
+    gloss * slanted * narrow * (sharp + 8.0) * 0.25
 }
 
 #[cfg(test)]
@@ -293,7 +195,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::solid::{Camera, Lighting};
+    use crate::solid::{Camera, Lighting, reach_of};
 
     fn camera() -> Camera {
         Camera::looking(DVec3::Z * 10.0, DVec3::ZERO, DVec3::Y, 0.8).unwrap()
@@ -310,7 +212,7 @@ mod tests {
         }
         let colours = Colours::new(Colouring::Map, &[[200, 200, 200]], 1);
         let lamp = Lamp::new(lighting, &camera(), [side, side], 1, [10.0, 30.0]);
-        let pixels = light(&buffer, &lamp, &colours);
+        let pixels = light(&buffer, &lamp, &colours, None);
         assert_eq!(pixels.len(), (side * side * 4) as usize);
         pixels.chunks(4).map(|p| if p[3] == 0 { 0 } else { p[0].max(1) }).collect()
     }
@@ -358,7 +260,7 @@ mod tests {
                     buffer.put(x, y, rough(x + from, y + from), 1);
                 }
                 let lamp = Lamp::new(&lighting, &camera(), [side, side], 1, [10.0, 30.0]);
-                light(&buffer, &Lamp { focal: 200.0, ..lamp }, &colours)
+                light(&buffer, &Lamp { focal: 200.0, ..lamp }, &colours, None)
             };
             let (wide, narrow) = (picture(whole, 0), picture(part, margin));
             let (mut sum, mut count) = (0.0, 0.0);
@@ -403,7 +305,7 @@ mod tests {
         let colours = Colours::new(Colouring::Map, &[[200, 120, 90], [60, 90, 200]], 7);
         for factor in [1, 2] {
             let (buffer, lamp) = pits(160, factor);
-            let whole = light(&buffer, &lamp, &colours);
+            let whole = light(&buffer, &lamp, &colours, None);
             let (rows, reach) = (160 / factor, reach_of(&lamp));
             let mut bands = Vec::new();
             for band in [0..rows / 2 - 3, rows / 2 - 3..rows] {
@@ -414,7 +316,7 @@ mod tests {
                     let at = (y * 160 + x) as usize;
                     part.put(x, y - top, buffer.depth()[at], buffer.codes()[at]);
                 }
-                bands.extend(light_rows(&part, top, &lamp, &colours, band));
+                bands.extend(light_rows(&part, top, &lamp, &colours, None, band));
             }
             assert_eq!(bands, whole, "{factor}");
         }
@@ -428,7 +330,7 @@ mod tests {
             // All light comes from everywhere: hollows alone are seen.
             let lighting = Lighting { ambient: 1.0, hollows: 1.0, fog: 0.0, ..Lighting::default() };
             let lit = Lamp::new(&lighting, &camera(), [side, side], 1, [10.0, 30.0]);
-            let pixels = light(&buffer, &Lamp { reach, ..lit }, &colours);
+            let pixels = light(&buffer, &Lamp { reach, ..lit }, &colours, None);
             pixels.chunks(4).map(|pixel| f64::from(pixel[0])).collect()
         };
         let large = greys(320, 1.0);

@@ -82,7 +82,7 @@ async fn pictures(wanted: Wanted) {
         let steps = SplatStep::steps(lamp.size, lamp.focal, lamp.range[0], &gaps);
         assert_eq!(steps.is_empty(), count == POINTS, "{steps:?}");
         let splat = steps.iter().fold(buffer, |buffer, splat| splat.apply(&buffer));
-        let twin = light(&fill_holes(&splat, eye.focal), &lamp, &colours());
+        let twin = light(&fill_holes(&splat, eye.focal), &lamp, &colours(), None);
         let shown = picture_of(stage.read()).await;
         assert!(lit(&shown) > 2000 && lit(&shown) < shown.len() / 4, "{} lit", lit(&shown));
         // A point that rounding takes to the next pixel changes the light around it.
@@ -93,7 +93,7 @@ async fn pictures(wanted: Wanted) {
         assert!(!stage.put_still(SIZE.map(|side| side + 1), &[], &[]));
         assert!(stage.put_still(size, traversal.depth_buffer().depth(), traversal.depth_buffer().codes()));
         assert!(stage.draw().complete);
-        let twin = light(traversal.depth_buffer(), &still_lamp, &colours());
+        let twin = light(traversal.depth_buffer(), &still_lamp, &colours(), None);
         let shown = picture_of(stage.read()).await;
         assert!(differing(&shown, &twin) < 0.005, "{wanted:?}, complete: {}", differing(&shown, &twin));
         // Other light leaves it complete, another eye does not.

@@ -136,15 +136,87 @@ pub struct SpaceLight {
     pub hollows: f64,
     /// How much fades into the ground colour at the farthest depth.
     pub fog: f64,
+    /// How dark cast shadows are. This and what follows is 0 in what was made before there was a choice.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub shadows: f64,
+    /// How soft their edges are.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub softness: f64,
+    /// How much of the light from everywhere what is around keeps off.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub occlusion: f64,
+    /// How far the light from everywhere is that of a blue sky, and the other warm.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub sky: f64,
+    /// From rough to glossy.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub gloss: f64,
+    /// Whether bright tones are compressed, as on film, and not cut off.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub filmic: bool,
+}
+
+/// As serde asks.
+fn is_zero(share: &f64) -> bool {
+    *share == 0.0
 }
 
 impl Default for SpaceLight {
+    /// That of documents that say nothing of it.
     fn default() -> Self {
-        Self { paint: PaintName::Map, side: -0.56, front: 0.55, ambient: 0.35, hollows: 0.75, fog: 0.25 }
+        Self {
+            paint: PaintName::Map,
+            side: -0.56,
+            front: 0.55,
+            ambient: 0.35,
+            hollows: 0.75,
+            fog: 0.25,
+            shadows: 0.0,
+            softness: 0.0,
+            occlusion: 0.0,
+            sky: 0.0,
+            gloss: 0.0,
+            filmic: false,
+        }
     }
 }
 
 impl SpaceLight {
+    /// That of what is made now.
+    #[must_use]
+    pub fn fresh() -> Self {
+        Self {
+            ambient: 0.25,
+            hollows: 0.35,
+            shadows: 0.85,
+            softness: 0.35,
+            occlusion: 0.8,
+            sky: 0.5,
+            filmic: true,
+            ..Self::default()
+        }
+    }
+
+    /// The numbers of its finish, in the order of a link: those that older documents lack.
+    #[must_use]
+    pub fn finish(&self) -> [f64; 6] {
+        let Self { shadows, softness, occlusion, sky, gloss, filmic, .. } = *self;
+        [shadows, softness, occlusion, sky, gloss, f64::from(u8::from(filmic))]
+    }
+
+    /// The same with these; `None` where one cannot be.
+    #[must_use]
+    pub fn with_finish(self, [shadows, softness, occlusion, sky, gloss, filmic]: [f64; 6]) -> Option<Self> {
+        let filmic = if filmic == 1.0 {
+            true
+        } else if filmic == 0.0 {
+            false
+        } else {
+            return None;
+        };
+        Some(Self { shadows, softness, occlusion, sky, gloss, filmic, ..self })
+    }
+
     /// Its numbers, in the order of a link.
     #[must_use]
     pub fn numbers(&self) -> [f64; 5] {
@@ -278,7 +350,7 @@ impl Default for Space {
     /// What a visitor sees first.
     fn default() -> Self {
         let object = SpaceObject::of_preset("sponge").unwrap_or_else(|| unreachable!("it is in the gallery"));
-        let light = SpaceLight::default();
+        let light = SpaceLight::fresh();
         Self { objects: vec![object], light, background: None, morph: None, timeline: None }
     }
 }

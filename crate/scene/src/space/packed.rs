@@ -1,11 +1,15 @@
 //! What there is in space, as a word of a link.
 //!
 //! ```text
-//! o:sponge/l:height,-0.56,0.55,0.35,0.75,0.25/b:0e1015
+//! o:sponge/l:height,-0.56,0.55,0.35,0.75,0.25/f:0.8,0.35,0.8,0.5,0.2,1/b:0e1015
 //! o:tetrahedron/to:dragon-curled/way:auto,0.2,0.4;0.6,0.5/t:0.5
 //! o:sponge~b3,3,3,0,3,0.5,0;26,0.2,0,0.4
 //! o:natural-0/o:natural-1~m1,0,0,0,1,0,0,0,1,2,0,0~cd5dde6/time:6,1,smooth/k:0,inout~v12,0,0,12,-1.57,0,0.46/k:3,..
 //! ```
+//!
+//! Light is the paint and where it comes from; the finish is shadows and their softness, ambient occlusion, sky
+//! light, gloss, and 1 for the tones of film. What was made before there was a finish has none, and older readers
+//! pass over it.
 //!
 //! Parts are joined by `/`, what belongs to one of them by `~`; a shape that is not of the gallery is `maps;` and its
 //! rows, then `~n` and its name. A bend is `~b`, the sizes of its lattice, locality, detail, roughness and turn, then
@@ -13,12 +17,14 @@
 //! points, then the same. Numbers have as many digits as bring back the same bits.
 
 mod bend;
+mod light;
 mod words;
 
 use std::fmt::Write as _;
 
 use bend::{read_bend, read_moves, write_bend, write_moves};
 use frond_core::{Course, Ease, Mode};
+use light::{read_finish, read_light, write_light};
 use thiserror::Error;
 use words::{choice, exactly, floats};
 
@@ -27,8 +33,8 @@ use crate::link::words::{escape, is_colour, name_of, number, numbers, tidy, unes
 use crate::scene::{MAX_WAY_POINTS, Path, PathKind, WayPoint};
 use crate::space::bend::{SpaceBend, moves_problem};
 use crate::space::document::{
-    MAX_KEYS3, MAX_OBJECTS3, PAGE_BACKGROUND, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight,
-    SpaceMorph, SpaceObject, Timeline, affine,
+    MAX_KEYS3, MAX_OBJECTS3, PAGE_BACKGROUND, Repeat, Shape3, Space, SpaceKey, SpaceLight, SpaceMorph,
+    SpaceObject, Timeline, affine,
 };
 use crate::space::part::{Held, SpaceView};
 use crate::space::preset::Row3;
@@ -40,7 +46,6 @@ const LONGEST_SECONDS: f64 = 600.0;
 /// The shortest.
 const SHORTEST_SECONDS: f64 = 0.1;
 
-const PAINTS: [(&str, PaintName); 2] = [("map", PaintName::Map), ("height", PaintName::Height)];
 const EASES: [(&str, Ease); 5] = [
     ("even", Ease::Even),
     ("in", Ease::In),
@@ -138,10 +143,7 @@ pub fn pack(space: &Space) -> Result<String, PackedError> {
             write_bend(&mut word, bend);
         }
     }
-    if space.light != SpaceLight::default() {
-        let paint = name_of(&PAINTS, &space.light.paint);
-        let _ = write!(word, "/l:{paint},{}", numbers(&space.light.numbers()));
-    }
+    write_light(&mut word, &space.light);
     if let Some(background) = &space.background {
         let _ = write!(word, "/b:{}", background.trim_start_matches('#'));
     }
@@ -259,13 +261,14 @@ pub fn unpack(word: &str) -> Result<Space, PackedError> {
     if word.len() > MAX_PACKED {
         return Err(PackedError::TooLong { bytes: word.len() });
     }
-    let mut space = Space { objects: Vec::new(), ..Space::default() };
+    let mut space = Space { objects: Vec::new(), light: SpaceLight::default(), ..Space::default() };
     for part in word.split('/') {
         // Parts that are not known are of a later version.
         let Some((key, text)) = part.split_once(':') else { return Err(damaged(part)) };
         let read = match key {
             "o" => read_object(text).map(|object| space.objects.push(object)),
-            "l" => read_light(text).map(|light| space.light = light),
+            "l" => read_light(text, &space.light).map(|light| space.light = light),
+            "f" => read_finish(text, &space.light).map(|light| space.light = light),
             "b" => {
                 let page = text == PAGE_BACKGROUND;
                 space.background = Some(if page { text.to_owned() } else { format!("#{text}") });
@@ -336,12 +339,6 @@ fn read_object(text: &str) -> Option<SpaceObject> {
         }
     }
     Some(object)
-}
-
-fn read_light(text: &str) -> Option<SpaceLight> {
-    let (paint, rest) = text.split_once(',')?;
-    let [side, front, ambient, hollows, fog] = exactly(rest)?;
-    Some(SpaceLight { paint: choice(&PAINTS, paint)?, side, front, ambient, hollows, fog })
 }
 
 fn read_choice(morph: &mut SpaceMorph, key: &str, text: &str) -> Option<()> {
@@ -438,6 +435,7 @@ fn check(space: &Space) -> Result<(), PackedError> {
     }
     held("the light", &space.light.numbers()[..1], "angles below 1e6 are allowed", &|x| x.abs() <= 1e6)?;
     held("the light", &space.light.numbers()[1..], "0 to 1 are allowed", &|x| (0.0..=1.0).contains(&x))?;
+    held("the light", &space.light.finish(), "0 to 1 are allowed", &|x| (0.0..=1.0).contains(&x))?;
     if let Some(morph) = &space.morph {
         shape(&morph.to)?;
         held("the path", &[morph.t], "0 to 1 are allowed", &|x| (0.0..=1.0).contains(&x))?;

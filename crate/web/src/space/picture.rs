@@ -5,8 +5,8 @@ use std::ops::Range;
 use frond_core::{Affine3, Ifs3, IfsError, MAX_MAPS};
 use frond_deform::Bend3;
 use frond_render::solid::{
-    Bent, Camera, CameraError, Cloud, Eye, Lamp, Lighting, MAX_OBJECTS, Objects, Paint, Traversal,
-    light_rows, reach_of,
+    Bent, Camera, CameraError, Cloud, DepthBuffer, Eye, Lamp, LampView, Lighting, MAX_OBJECTS, Objects,
+    Paint, Shadows, Traversal, depths_of_lamp, light_rows, reach_of,
 };
 use frond_scene::{PaintName, Row3, SpaceBend, SpaceLight, SpaceView};
 use glam::DVec3;
@@ -122,6 +122,12 @@ fn lighting_of(plain: &SpaceLight, ground: [f32; 3]) -> Lighting {
         towards: Lighting::direction(plain.side, plain.front),
         ambient: plain.ambient,
         hollows: plain.hollows,
+        shadows: plain.shadows,
+        softness: plain.softness,
+        occlusion: plain.occlusion,
+        sky: plain.sky,
+        gloss: plain.gloss,
+        filmic: plain.filmic,
         fog: plain.fog,
         ground,
         paint: if plain.paint == PaintName::Height { Paint::Height } else { Paint::Map },
@@ -261,12 +267,141 @@ impl SpacePicture {
             return Err(bad_input("The rows", "they are some of the picture's"));
         }
         let rows = from as u32..to as u32;
-        let lamp =
-            Lamp { reach: reach as f32, ..Lamp::new(&Lighting::default(), &camera, size, 1, [1.0; 2]) };
+        let wide = Lighting { occlusion: 1.0, ..Lighting::default() };
+        let lamp = Lamp { reach: reach as f32, ..Lamp::new(&wide, &camera, size, 1, [1.0; 2]) };
         let margin = if reach > 0.0 { reach_of(&lamp) } else { 0 };
         let top = rows.start.saturating_sub(margin);
         let traversal = self.0.band(&camera, size, top..rows.end.saturating_add(margin).min(size[1]));
         Ok(SpaceCarve { traversal, camera, objects: self.0.clone(), size, top, rows, reach: reach as f32 })
+    }
+}
+
+/// Pixels that were carved before, with as many rows above and below those that are to be lit as the light hangs on.
+#[derive(Deserialize)]
+struct PlainRelief {
+    /// The first row that there is, of the source.
+    top: f64,
+    /// Those to be lit, of the source: from this on, before that.
+    rows: [f64; 2],
+}
+
+#[wasm_bindgen]
+impl SpacePicture {
+    /// Rows of the source that the light of a pixel hangs on, above and below it.
+    #[wasm_bindgen(js_name = lightReach)]
+    pub fn light_reach(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "SpaceView")] view: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "SpaceLight")] light: JsValue,
+        reach: f64,
+    ) -> Result<u32, JsValue> {
+        let camera = camera_of(view, self.0.unit())?;
+        let lighting = lighting_of(&read("The light", light)?, [0.0; 3]);
+        let lamp = Lamp::new(&lighting, &camera, [1; 2], 1, [1.0; 2]);
+        Ok(reach_of(&Lamp { reach: reach as f32, ..lamp }))
+    }
+
+    /// The side of the picture that the lamp takes for cast shadows, in pixels: 0 where none are cast. `width` and
+    /// `height` are those of the picture that is shown.
+    #[wasm_bindgen(js_name = lampSide)]
+    pub fn lamp_side(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "SpaceView")] view: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "SpaceLight")] light: JsValue,
+        width: f64,
+        height: f64,
+    ) -> Result<u32, JsValue> {
+        Ok(self.lamp_view(view, light, width, height)?.map_or(0, |view| view.side))
+    }
+
+    /// Begins some rows of what the lamp sees. Throws where it sees nothing.
+    #[wasm_bindgen(js_name = carveLamp)]
+    pub fn carve_lamp(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "SpaceView")] view: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "SpaceLight")] light: JsValue,
+        width: f64,
+        height: f64,
+        from: f64,
+        to: f64,
+    ) -> Result<SpaceCarve, JsValue> {
+        let view = self.lamp_view(view, light, width, height)?;
+        let LampView { camera, side } = view.ok_or_else(|| bad_input("The light", "it casts no shadows"))?;
+        if !(0.0 <= from && from < to && to <= f64::from(side)) {
+            return Err(bad_input("The rows", "they are some of the picture's"));
+        }
+        let (size, rows) = ([side; 2], from as u32..to as u32);
+        let traversal = self.0.band(&camera, size, rows.clone());
+        Ok(SpaceCarve { traversal, camera, objects: self.0.clone(), size, top: rows.start, rows, reach: 0.0 })
+    }
+
+    /// Lights rows of a picture that was carved before: RGBA, straight alpha. `lamp` is all that the lamp sees, or
+    /// nothing where no shadows are cast.
+    #[allow(clippy::too_many_arguments, reason = "lists of numbers cross the boundary by themselves")]
+    #[wasm_bindgen(js_name = lightRows, unchecked_return_type = "Uint8ClampedArray<ArrayBuffer>")]
+    pub fn light(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "SpaceView")] view: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "SpaceLight")] light: JsValue,
+        #[wasm_bindgen(
+            unchecked_param_type = "{ width: number; height: number; factor: number; palette: string[]; ground: string }"
+        )]
+        look: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "{ top: number; rows: readonly [number, number] }")]
+        relief: JsValue,
+        depth: Vec<f32>,
+        codes: Vec<u32>,
+        lamp: &[f32],
+        reach: f64,
+    ) -> Result<Uint8ClampedArray, JsValue> {
+        let (camera, look) = (camera_of(view.clone(), self.0.unit())?, LookOf::read(look)?);
+        let plain: SpaceLight = read("The light", light)?;
+        let PlainRelief { top, rows } = read("The relief", relief)?;
+        let size = look.size.map(|side| side * look.factor);
+        let buffer =
+            DepthBuffer::of(size[0], depth, codes).ok_or_else(|| bad_input("The relief", OTHER_SIZE))?;
+        let held = 0.0 <= top
+            && top <= rows[0]
+            && rows[0] <= rows[1]
+            && rows[1] <= f64::from(size[1])
+            && rows[1] - top <= f64::from(buffer.height());
+        let whole = rows.iter().all(|row| (*row as u32).is_multiple_of(look.factor));
+        if !(held && whole) {
+            return Err(bad_input("The relief", OTHER_SIZE));
+        }
+        let lighting = self.0.lit(lighting_of(&plain, look.ground));
+        // As `paint` has it, whose bounds are closer than those that the card is told.
+        let range = self.0.traversal(&camera, 1, 1).range();
+        let view = LampView::new(&self.0, &lighting, &camera, look.size).filter(|_| plain.shadows > 0.0);
+        let shadows = view.map(|view| {
+            let shadows = Shadows::new(&view, lamp, &lighting, &camera, size[1]);
+            shadows.ok_or_else(|| bad_input("The lamp", "it is of another size than what the lamp sees"))
+        });
+        let shadows = shadows.transpose()?;
+        let made = Lamp::new(&lighting, &camera, size, look.factor, range);
+        let made = Lamp { reach: if reach > 0.0 { reach as f32 } else { made.reach }, ..made };
+        let colours = self.0.colours(&look.palette);
+        let rows = rows[0] as u32 / look.factor..rows[1] as u32 / look.factor;
+        let lit = light_rows(&buffer, top as u32, &made, &colours, shadows.as_ref(), rows);
+        Ok(Uint8ClampedArray::from(&lit[..]))
+    }
+}
+
+const OTHER_SIZE: &str = "it is of another size than what is to be lit";
+
+impl SpacePicture {
+    fn lamp_view(
+        &self,
+        view: JsValue,
+        light: JsValue,
+        width: f64,
+        height: f64,
+    ) -> Result<Option<LampView>, JsValue> {
+        let camera = camera_of(view, self.0.unit())?;
+        let plain: SpaceLight = read("The light", light)?;
+        let size = [side("width", width)?, side("height", height)?];
+        let lighting = lighting_of(&plain, [0.0; 3]);
+        Ok(LampView::new(&self.0, &lighting, &camera, size).filter(|_| plain.shadows > 0.0))
     }
 }
 
@@ -329,11 +464,20 @@ impl SpaceCarve {
         if !(fits && [self.rows.start, self.rows.end].iter().all(whole)) {
             return Err(bad_input("The look", "it is of another size than what was carved"));
         }
-        let lighting = self.objects.lit(lighting_of(&read("The light", plain)?, look.ground));
+        let plain: SpaceLight = read("The light", plain)?;
+        let lighting = self.objects.lit(lighting_of(&plain, look.ground));
+        let view =
+            LampView::new(&self.objects, &lighting, &self.camera, look.size).filter(|_| plain.shadows > 0.0);
+        let seen = view.map(|view| (view, depths_of_lamp(&self.objects, &view)));
+        let shadows = seen
+            .as_ref()
+            .and_then(|(view, seen)| Shadows::new(view, seen.depth(), &lighting, &self.camera, self.size[1]));
         let lamp = Lamp::new(&lighting, &self.camera, self.size, look.factor, self.traversal.range());
         let lamp = Lamp { reach: if self.reach > 0.0 { self.reach } else { lamp.reach }, ..lamp };
         let (buffer, colours) = (self.traversal.depth_buffer(), self.objects.colours(&look.palette));
         let rows = self.rows.start / look.factor..self.rows.end / look.factor;
-        Ok(Uint8ClampedArray::from(&light_rows(buffer, self.top, &lamp, &colours, rows)[..]))
+        Ok(Uint8ClampedArray::from(
+            &light_rows(buffer, self.top, &lamp, &colours, shadows.as_ref(), rows)[..],
+        ))
     }
 }

@@ -1,19 +1,39 @@
 import { expect, test, vi } from "vitest";
-import { bandsOf, pictureInBands, reliefInBands } from "./bands";
+import { bandsOf, lampInBands, litInBands, pictureInBands, reliefInBands } from "./bands";
 import type { PictureRequest, Rows } from "./picture";
 
 /** Workers that paint each pixel with the number of its row, the first of them slowly. */
 const asked = vi.hoisted(() => [] as { lane: number; rows: readonly [number, number] }[]);
+const given = vi.hoisted(() => [] as { top: number; rows: readonly [number, number]; count: number }[]);
 vi.mock("./client", () => ({
   spaceTask: async (
     name: string,
-    request: { width: number; factor?: number; rows: Rows },
+    request: {
+      width: number;
+      factor?: number;
+      rows: Rows;
+      top?: number;
+      depth?: Float32Array;
+      light?: unknown;
+    },
     { lane }: { lane: number },
   ) => {
     const { width, factor = 1, rows } = request;
     asked.push({ lane, rows });
     for (let turn = 0; turn < (lane === 0 ? 10 : 1); turn++) await Promise.resolve();
     const [from, to] = rows;
+    // The lamp sees as many columns as its light says here.
+    if (name === "lamp")
+      return Float32Array.from({ length: (to - from) * 7 }, (_, i) => Math.floor(from + i / 7));
+    if (name === "lit") {
+      // What it was given of the row, and how many rows it was given around.
+      const { top = 0, depth = new Float32Array() } = request;
+      given.push({ top, rows, count: depth.length / (width * factor) });
+      const at = (row: number) => depth[(row * factor - top) * width * factor] ?? -1;
+      return Uint8ClampedArray.from({ length: ((to - from) / factor) * width * 4 }, (_, i) =>
+        at(from / factor + Math.floor(i / (width * 4))),
+      );
+    }
     const codes = Uint32Array.from({ length: (to - from) * width * factor }, (_, i) =>
       Math.floor(from + i / (width * factor)),
     );
@@ -49,6 +69,23 @@ test("rows of all workers come together in their places, and who is done first t
   asked.length = 0;
   await pictureInBands(request, { reach: 1, atRest: false, signal });
   expect(asked.map(({ lane }) => lane)).toEqual([0, 4]);
+});
+
+test("what was carved is lit in bands that have as many rows around as light hangs on", async () => {
+  const signal = new AbortController().signal;
+  const [width, height, factor] = [3, 40, 2] as const;
+  const request = { width, height, factor, light: {} } as PictureRequest;
+  const count = width * height * factor * factor;
+  const depth = Float32Array.from({ length: count }, (_, i) => Math.floor(i / (width * factor)));
+  const relief = { width: 6, height: 80, depth, codes: new Uint32Array(count), empty: false };
+  const lamp = await lampInBands({ ...request, objects: [], view: {} as never }, 7, { signal });
+  expect([...lamp]).toEqual(Array.from({ length: 49 }, (_, i) => Math.floor(i / 7)));
+  const image = await litInBands(request, relief, { lamp, reach: 1, around: 5, signal });
+  expect([...image.data]).toEqual(Array.from({ length: 40 * 12 }, (_, i) => 2 * Math.floor(i / 12)));
+  for (const { top, rows, count } of given) {
+    expect(top).toBe(Math.max(0, rows[0] - 5));
+    expect(top + count).toBe(Math.min(80, rows[1] + 5));
+  }
 });
 
 test("bands are all rows, once, whole pixels, and about alike", () => {

@@ -1,5 +1,5 @@
 import { spaceTask } from "./client";
-import type { PictureRequest, Relief, ReliefRequest, Rows } from "./picture";
+import type { LampRequest, PictureRequest, Relief, ReliefRequest, Rows } from "./picture";
 
 /** The workers of the stage: what one of them makes, they make side by side. */
 const LANES = [0, 4] as const;
@@ -76,4 +76,41 @@ export async function reliefInBands(
     codes.set(made.codes, from * width);
   }
   return { width, height, depth, codes, empty: bands.every(({ made }) => made.empty) };
+}
+
+/** What the lamp of a picture sees, which is so many pixels wide and high. */
+export async function lampInBands(
+  request: Omit<LampRequest, "rows">,
+  side: number,
+  { signal }: { signal: AbortSignal },
+): Promise<Float32Array<ArrayBuffer>> {
+  const bands = await byAll({ height: side, factor: 1, atRest: true }, (rows, lane) =>
+    spaceTask("lamp", { ...request, rows }, { signal, lane }),
+  );
+  const depth = new Float32Array(side * side);
+  for (const { from, made } of bands) depth.set(made, from * side);
+  return depth;
+}
+
+/**
+ * Lights what was carved before. `lamp` is what its lamp sees, nothing where no shadows are cast, and `around` says on
+ * how many rows above and below the light of one hangs.
+ */
+export async function litInBands(
+  request: PictureRequest,
+  { depth, codes }: Relief,
+  options: { lamp: Float32Array<ArrayBuffer>; reach: number; around: number; signal: AbortSignal },
+): Promise<ImageData> {
+  const { width, height, factor } = request;
+  const { lamp, reach, around, signal } = options;
+  const across = width * factor;
+  const bands = await byAll({ height, factor, atRest: true }, (rows, lane) => {
+    const top = Math.max(0, rows[0] - around);
+    const part = [top * across, Math.min(height * factor, rows[1] + around) * across] as const;
+    const cut = { top, depth: depth.slice(...part), codes: codes.slice(...part) };
+    return spaceTask("lit", { ...request, ...cut, rows, lamp, reach }, { signal, lane });
+  });
+  const image = new ImageData(width, height);
+  for (const { from, made } of bands) image.data.set(made, (from / factor) * width * 4);
+  return image;
 }

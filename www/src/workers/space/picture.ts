@@ -55,6 +55,28 @@ export interface ReliefRequest {
   rows?: Rows;
 }
 
+/** Some rows of what the lamp of a picture sees: `width` x `height` are those of the picture. */
+export interface LampRequest {
+  objects: Shown[];
+  view: SpaceView;
+  light: SpaceLight;
+  width: number;
+  height: number;
+  rows: Rows;
+}
+
+/** Rows of a picture that was carved before, to be lit. */
+export interface LitRequest extends PictureRequest {
+  rows: Rows;
+  reach: number;
+  /** The first row of the depths and the codes. */
+  top: number;
+  depth: Float32Array<ArrayBuffer>;
+  codes: Uint32Array<ArrayBuffer>;
+  /** All that the lamp sees; nothing where no shadows are cast. */
+  lamp: Float32Array<ArrayBuffer>;
+}
+
 /** Codes have the number of the object above so many bits, as the carving writes them. */
 const OBJECT_BITS = 18;
 
@@ -126,6 +148,31 @@ export const pictureTasks = {
     } finally {
       carve.free();
     }
+  },
+
+  /** Some rows of what the lamp sees. */
+  async lamp(context: Context, request: LampRequest): Promise<Float32Array<ArrayBuffer>> {
+    const { objects, view, light, width, height, rows } = request;
+    const carve = pictured(context, objects).carveLamp(view, light, width, height, ...rows);
+    try {
+      await carved(context, carve);
+      const depth = carve.depth() as Float32Array<ArrayBuffer>;
+      context.transfer(depth.buffer);
+      return depth;
+    } finally {
+      carve.free();
+    }
+  },
+
+  /** Lights rows of what was carved before. */
+  async lit(context: Context, request: LitRequest): Promise<Uint8ClampedArray<ArrayBuffer>> {
+    const { objects, view, light, width, height, palette, ground, factor } = request;
+    const { rows, reach, top, depth, codes, lamp } = request;
+    const look = { width, height, factor, palette, ground };
+    const picture = pictured(context, objects);
+    const data = picture.lightRows(view, light, look, { top, rows }, depth, codes, lamp, reach);
+    context.transfer(data.buffer);
+    return data as Uint8ClampedArray<ArrayBuffer>;
   },
 };
 

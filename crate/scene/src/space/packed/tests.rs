@@ -8,7 +8,7 @@ use frond_deform::Spin;
 
 use super::bend::SPINS;
 use super::*;
-use crate::space::document::{natural_objects, read_repeat};
+use crate::space::document::{PaintName, natural_objects, read_repeat};
 
 fn any_row() -> impl Strategy<Value = Row3> {
     let number = prop_oneof![6 => -0.28..0.28_f64, 1 => Just(0.0), 1 => Just(-0.0), 1 => Just(1e-300)];
@@ -60,14 +60,22 @@ fn any_object() -> impl Strategy<Value = SpaceObject> {
 }
 
 fn any_space() -> impl Strategy<Value = Space> {
-    let light = (any::<bool>(), -3.0..3.0_f64, 0.0..=1.0_f64).prop_map(|(height, side, part)| SpaceLight {
-        paint: if height { PaintName::Height } else { PaintName::Map },
-        side,
-        front: part,
-        ambient: 1.0 - part,
-        hollows: part,
-        fog: 0.5 * part,
+    let light = (any::<bool>(), -3.0..3.0_f64, 0.0..=1.0_f64, any::<bool>());
+    let light = light.prop_map(|(height, side, part, finished)| {
+        let plain = SpaceLight {
+            paint: if height { PaintName::Height } else { PaintName::Map },
+            side,
+            front: part,
+            ambient: 1.0 - part,
+            hollows: part,
+            fog: 0.5 * part,
+            ..SpaceLight::default()
+        };
+        let filmic = f64::from(u8::from(height));
+        let finish = [part, 1.0 - part, 0.5 * part, 0.3, 0.0, filmic];
+        if finished { plain.with_finish(finish).unwrap() } else { plain }
     });
+    let light = prop_oneof![4 => light, 1 => Just(SpaceLight::fresh()), 1 => Just(SpaceLight::default())];
     let morph =
         proptest::option::of((any_shape(), 0.0..=1.0_f64, any::<bool>()).prop_map(|(to, t, linear)| {
             let points = vec![WayPoint { u: t, v: 0.3, w: 0.0 }, WayPoint { u: 0.7, v: t, w: 0.25 }];
@@ -173,8 +181,10 @@ proptest! {
 
 #[test]
 fn words_are_short_where_the_gallery_says_it() {
-    assert_eq!(pack(&Space::default()).unwrap(), "o:sponge");
-    let natural = Space { objects: natural_objects(), ..Space::default() };
+    assert_eq!(pack(&Space::default()).unwrap(), "o:sponge/f:1");
+    let plain = Space { light: SpaceLight::default(), ..Space::default() };
+    assert_eq!(pack(&plain).unwrap(), "o:sponge");
+    let natural = Space { objects: natural_objects(), ..plain };
     assert_eq!(
         pack(&natural).unwrap(),
         (0..8).map(|k| format!("o:natural-{k}")).collect::<Vec<_>>().join("/")
@@ -184,11 +194,28 @@ fn words_are_short_where_the_gallery_says_it() {
 
 #[test]
 fn the_background_is_part_of_the_word_and_older_words_have_none() {
-    let dark = Space { background: Some("#0e1015".to_owned()), ..Space::default() };
+    let light = SpaceLight::default();
+    let dark = Space { background: Some("#0e1015".to_owned()), light, ..Space::default() };
     assert_eq!(pack(&dark).unwrap(), "o:sponge/b:0e1015");
     assert_eq!(unpack("o:sponge/b:0e1015").unwrap(), dark);
     assert_eq!(unpack("o:sponge/b:page").unwrap().background.as_deref(), Some(PAGE_BACKGROUND));
     assert_eq!(unpack("o:sponge").unwrap().background, None);
+}
+
+#[test]
+fn words_of_before_there_was_a_finish_have_none() {
+    for word in ["o:sponge", "o:sponge/l:height,0.1,0.2,0.3,0.4,0.5"] {
+        let read = unpack(word).unwrap();
+        assert_eq!(read.light.finish(), [0.0; 6], "{word}");
+        assert_eq!(pack(&read).unwrap(), word);
+    }
+    assert_eq!(unpack("o:sponge").unwrap().light.numbers(), [-0.56, 0.55, 0.35, 0.75, 0.25]);
+    // What has a number is as it was when it was given.
+    let light = unpack("o:sponge/f:1").unwrap().light;
+    assert_eq!(light.numbers(), [-0.56, 0.55, 0.25, 0.35, 0.25]);
+    assert_eq!(light.finish(), [0.85, 0.35, 0.8, 0.5, 0.0, 1.0]);
+    let mixed = "o:sponge/l:height,0.1,0.2,0.3,0.4,0.5/f:0.1,0.2,0.3,0.4,0.5,0";
+    assert_eq!(pack(&unpack(mixed).unwrap()).unwrap(), mixed);
 }
 
 #[test]
@@ -221,6 +248,10 @@ fn damage_is_told() {
         ("l:map,0,0,0,0,0", "space-count"),
         (many.trim_end_matches('/'), "space-count"),
         ("o:sponge/l:map,0,2,0,0,0", "space-number"),
+        ("o:sponge/f:2,0,0,0,0,0", "space-number"),
+        ("o:sponge/f:0,0,0,0,0,0.5", "space-damaged"),
+        ("o:sponge/f:0,0,0,0,0", "space-damaged"),
+        ("o:sponge/f:2", "space-damaged"),
         ("o:sponge/time:0,1,smooth", "space-number"),
         ("o:sponge/time:1e9,1,smooth", "space-number"),
         ("o:sponge/time:6,3,smooth", "space-damaged"),

@@ -5,7 +5,9 @@ import { space } from "#document/space/space";
 import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { SliderField } from "#ui/controls/SliderField";
+import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import { Fold } from "#ui/panel/Fold";
 import type { SpaceLight } from "#wasm/api";
 import { solid } from "#wasm/space";
 import shapeCss from "../shape/shape.module.css";
@@ -103,9 +105,47 @@ function Light() {
         words={shareWords(now.fog, "no fog")}
         onChange={(fog) => change({ fog })}
       />
+      <Finish now={now} />
     </section>
   );
 }
+
+/** What is seen at rest, and what surfaces are like. */
+function Finish({ now }: { now: SpaceLight }) {
+  return (
+    <Fold title="Shadows and material">
+      <div class="stack">
+        {FINISH.map(({ part, label, none, ends }) => (
+          <SliderField
+            key={part}
+            digits={2}
+            label={label}
+            value={now[part] ?? 0}
+            words={shareWords(now[part] ?? 0, none)}
+            {...(ends ? { ends } : {})}
+            onChange={(share) => change({ [part]: share })}
+          />
+        ))}
+        <Switch
+          checked={now.filmic ?? false}
+          description="Bright tones are compressed, as on film, and not cut off"
+          onChange={(filmic) => changeSpace((all) => ({ ...all, light: { ...all.light, filmic } }))}
+        >
+          Filmic tones
+        </Switch>
+        <p class="hint">Shadows and ambient occlusion come when the picture rests.</p>
+      </div>
+    </Fold>
+  );
+}
+
+const FINISH = [
+  { part: "shadows", label: "Shadows", none: "no shadows are cast", ends: undefined },
+  { part: "softness", label: "Softness of shadows", none: "sharp edges", ends: ["sharp", "soft"] },
+  { part: "occlusion", label: "Ambient occlusion", none: "none", ends: undefined },
+  { part: "sky", label: "Sky light", none: "white from everywhere", ends: ["white", "blue sky, warm sun"] },
+  { part: "gloss", label: "Gloss", none: "rough", ends: ["rough", "glossy"] },
+] as const;
 
 const BACKGROUNDS: { value: Choice; label: string; description: string }[] = [
   { value: "paper", label: "Light", description: "Like light paper" },

@@ -2,14 +2,17 @@ import type { Pixels } from "#stage/surface/surface";
 import { media } from "#style/media";
 import type { SpaceLook } from "#wasm/space";
 import type { SpaceRenderer } from "#wasm/space-renderer";
-import { reliefInBands } from "#workers/space/bands";
 import { objectAt, type Relief } from "#workers/space/picture";
 import { Detail, HANDHELD } from "./detail";
-import { type Completed, lookOf, type Surface, sameView, type Wanted } from "./surface";
+import { castsShadows, Still } from "./still";
+import { type Completed, lookOf, type Surface, sameLight, sameView, type Wanted } from "./surface";
 
 const handheld = media("(pointer: coarse) and (max-width: 53.6875em)");
 
-/** Clouds of points on the graphics card while something moves; the carved picture, lit there, when it rests. */
+/**
+ * Clouds of points on the graphics card while something moves; the carved picture, lit there, when it rests. Over it
+ * lies the one that the processor lights, where shadows are cast.
+ */
 export class Accelerated implements Surface {
   readonly canvas: HTMLCanvasElement;
   readonly backend: SpaceRenderer["backend"];
@@ -22,20 +25,25 @@ export class Accelerated implements Surface {
   /** Pixels carved for each one shown, in the picture that is shown; null while it is points. */
   #still: SpaceLook["factor"] | null = null;
   #relief: Relief | null = null;
+  readonly #carved = new Still();
+  /** What the processor lit, while it is shown. */
+  readonly #lit = document.createElement("canvas");
   #freed = false;
 
   constructor(renderer: SpaceRenderer, canvas: HTMLCanvasElement) {
     this.backend = renderer.backend;
     this.canvas = canvas;
     this.#renderer = renderer;
+    this.#lit.setAttribute("aria-hidden", "true");
   }
 
   keeps(before: Wanted, after: Wanted): boolean {
-    return sameView(before, after);
+    return sameView(before, after) && (!castsShadows(after) || sameLight(before, after));
   }
 
   draw(wanted: Wanted, waited: number): { points: number } {
     const renderer = this.#renderer;
+    if (!this.#given || !sameView(this.#given, wanted) || !sameLight(this.#given, wanted)) this.#lit.remove();
     if (!this.#given || !sameView(this.#given, wanted)) {
       this.#still = null;
       this.#detail.frame(waited);
@@ -55,12 +63,10 @@ export class Accelerated implements Surface {
     signal: AbortSignal,
     onShown: (completed: Completed) => void,
   ): Promise<void> {
-    const { sight, view } = wanted;
     // One pixel for each comes soon; what smooths it takes four times as long.
     for (const factor of wanted.factor === 2 ? ([1, 2] as const) : ([1] as const)) {
-      const size = { width: wanted.width * factor, height: wanted.height * factor };
-      const args = { objects: sight.objects, view, ...size };
-      const relief = await reliefInBands(args, { signal });
+      const relief = await this.#carved.relief(wanted, factor, signal);
+      const image = castsShadows(wanted) ? await this.#carved.lit(wanted, factor, relief, signal) : null;
       if (signal.aborted || this.#freed) throw { code: "stopped", message: "Something else was asked for." };
       // The light may have changed meanwhile.
       this.#light(this.#given ?? wanted, 1, factor);
@@ -71,9 +77,18 @@ export class Accelerated implements Surface {
       }
       this.#still = factor;
       this.#renderer.draw();
+      if (image) this.#cover(image);
       this.#relief = relief;
       onShown({ empty: relief.empty });
     }
+  }
+
+  /** Shows a picture over that of the card. */
+  #cover(image: ImageData): void {
+    this.#lit.width = image.width;
+    this.#lit.height = image.height;
+    this.#lit.getContext("2d")?.putImageData(image, 0, 0);
+    this.canvas.after(this.#lit);
   }
 
   /** Size, eye and light, as the renderer is to have them. */
@@ -96,6 +111,8 @@ export class Accelerated implements Surface {
 
   async pixels(): Promise<Pixels> {
     const { width, height } = this.canvas;
+    const lit = this.#lit.isConnected ? this.#lit.getContext("2d") : null;
+    if (lit) return { width, height, data: lit.getImageData(0, 0, width, height).data };
     const data = await this.#renderer.readPixels();
     return { width, height, data: new Uint8ClampedArray(data) };
   }
@@ -106,6 +123,7 @@ export class Accelerated implements Surface {
 
   free(): void {
     this.#freed = true;
+    this.#lit.remove();
     try {
       this.#renderer.free();
     } catch {

@@ -1,16 +1,10 @@
 import type { PainterBackend } from "#stage/surface/painter";
 import type { Pixels } from "#stage/surface/surface";
 import { pictureInBands } from "#workers/space/bands";
-import { objectAt, type PictureRequest } from "#workers/space/picture";
+import { objectAt, type PictureRequest, type Relief } from "#workers/space/picture";
 import { Pace } from "./pace";
+import { Still } from "./still";
 import { type Completed, lookOf, type Surface, sameView, type Wanted } from "./surface";
-
-/** Which pieces are seen in a picture, pixel by pixel. */
-interface Seen {
-  width: number;
-  height: number;
-  codes: Uint32Array<ArrayBuffer>;
-}
 
 /**
  * Fills the canvas with pictures that workers carve: with fewer pixels while something moves, so that they come in
@@ -26,7 +20,8 @@ export class Plain implements Surface {
   /** The last one that was completed or is being: a coarse picture must not come after it. */
   #completing: Wanted | null = null;
   /** Of the picture that is shown; null while things move. */
-  #seen: Seen | null = null;
+  #seen: Relief | null = null;
+  readonly #still = new Still();
   readonly #small = document.createElement("canvas");
   readonly #end = new AbortController();
 
@@ -75,7 +70,9 @@ export class Plain implements Surface {
     const began = performance.now();
     // Hollows are as wide as in the picture that it comes to rest in.
     const options = { reach: 1 / (shrink * wanted.factor), atRest: false, signal: this.#end.signal };
-    const { image } = await pictureInBands({ ...request(wanted), ...size, factor: 1 }, options);
+    // Shadows are cast at rest: to look from the lamp as well would take as long again.
+    const light = { ...wanted.light, shadows: 0, occlusion: 0 };
+    const { image } = await pictureInBands({ ...request(wanted), light, ...size, factor: 1 }, options);
     this.#pace.frame(performance.now() - began, shrink);
     if (!this.#completing) this.#put(image, wanted);
   }
@@ -89,12 +86,12 @@ export class Plain implements Surface {
     this.#next = null;
     try {
       for (const factor of wanted.factor === 2 ? ([1, 2] as const) : ([1] as const)) {
-        const options = { reach: factor / wanted.factor, codes: factor === 1, atRest: true, signal };
-        const { image, codes } = await pictureInBands({ ...request(wanted), factor }, options);
+        const relief = await this.#still.relief(wanted, factor, signal);
+        const image = await this.#still.lit(wanted, factor, relief, signal);
         if (signal.aborted) throw { code: "stopped", message: "Something else was asked for." };
         this.#put(image, wanted);
-        if (codes) this.#seen = { width: wanted.width, height: wanted.height, codes };
-        onShown({ empty: image.data.every((value, i) => i % 4 !== 3 || value === 0) });
+        this.#seen = relief;
+        onShown({ empty: relief.empty });
       }
     } catch (problem) {
       this.#completing = null;

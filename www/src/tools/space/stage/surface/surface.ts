@@ -52,6 +52,15 @@ export function sameView(a: Wanted, b: Wanted): boolean {
   );
 }
 
+/** Whether both have the same light and colours. */
+export function sameLight(a: Wanted, b: Wanted): boolean {
+  return (
+    a.ground === b.ground &&
+    (a.light === b.light || JSON.stringify(a.light) === JSON.stringify(b.light)) &&
+    JSON.stringify(a.palette) === JSON.stringify(b.palette)
+  );
+}
+
 /** As much of it as uniforms are made of. */
 export function lookOf({ width, height, factor, palette, ground }: Wanted): SpaceLook {
   return { width, height, factor, palette, ground };
