@@ -223,20 +223,20 @@ test("no object of several leaves unasked, and the background goes with the link
   await studio.open(TETRAHEDRON);
   await choose(page, "A natural scene");
   const objects = page.getByRole("radiogroup", { name: "The object that is worked on" }).getByRole("radio");
-  await expect(objects).toHaveCount(8);
+  await expect(objects).toHaveCount(13);
   // By keys alone.
-  const card = page.getByRole("button", { name: "Ground. Choose another shape" });
+  const card = page.getByRole("button", { name: "Meadow. Choose another shape" });
   await card.press("Enter");
   await page.getByRole("dialog").locator("button:focus").waitFor();
   await page.keyboard.press("Home");
   await page.keyboard.press("Enter");
   const asked = page.getByRole("dialog", { name: /^Where is .* to stand\?$/ });
   await expect(asked.getByRole("button", { name: /^Beside what there is/ })).toBeFocused();
-  await expect(objects).toHaveCount(8);
+  await expect(objects).toHaveCount(13);
   await page.keyboard.press("Tab");
-  await expect(asked.getByRole("button", { name: /^Instead of Ground/ })).toBeFocused();
+  await expect(asked.getByRole("button", { name: /^Instead of Meadow/ })).toBeFocused();
   await page.keyboard.press("Enter");
-  await expect(page.getByText(/stands in the place of Ground/).first()).toBeVisible();
+  await expect(page.getByText(/stands in the place of Meadow/).first()).toBeVisible();
   await expect(card).toHaveCount(0);
   await page.locator(".notices").getByRole("button", { name: "Undo" }).click();
   await expect(card).toBeVisible();

@@ -38,5 +38,5 @@ pub use space::{
     FARTHEST_MOVE3, Film, FilmError, Held, IntersectionExample, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED,
     MOST_DETAIL3, MOST_ROUGHNESS3, Moment, Moved, PackedError, PaintName, Preset3, Repeat, Row3, Shape3,
     Space, SpaceBend, SpaceKey, SpaceLight, SpaceMorph, SpaceObject, SpacePart, SpaceView, Thing, Timeline,
-    intersection_examples, natural_objects, natural_scene, pack, preset3, presets3, unpack,
+    intersection_examples, natural_objects, natural_scene, natural_space, pack, preset3, presets3, unpack,
 };

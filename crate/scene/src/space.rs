@@ -2,6 +2,7 @@
 
 mod bend;
 mod document;
+mod evening;
 mod film;
 mod intersection_examples;
 mod natural;
@@ -12,7 +13,7 @@ mod preset;
 pub use bend::{FARTHEST_MOVE3, MOST_DETAIL3, MOST_ROUGHNESS3, SpaceBend};
 pub use document::{
     MAX_KEYS3, MAX_OBJECTS3, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight, SpaceMorph, SpaceObject,
-    Timeline, natural_objects,
+    Timeline, natural_objects, natural_space,
 };
 pub use film::{Film, FilmError, Moment, Moved};
 pub use intersection_examples::{IntersectionExample, intersection_examples};

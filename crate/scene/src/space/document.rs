@@ -5,6 +5,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::scene::Path;
 use crate::space::bend::SpaceBend;
+use crate::space::evening::{SKY, evening_scene};
 use crate::space::natural::natural_scene;
 use crate::space::part::{Held, SpaceView};
 use crate::space::preset::{Row3, preset3};
@@ -14,7 +15,14 @@ pub const MAX_OBJECTS3: usize = 60;
 /// The most key frames.
 pub const MAX_KEYS3: usize = 100;
 /// Names of the objects of the natural scene begin so, and end with their numbers from 0.
+const EVENING_PREFIX: &str = "evening-";
+/// The same of the scene of older links.
 const NATURAL_PREFIX: &str = "natural-";
+
+/// The number that stands after the first part of an id.
+fn numbered(id: &str, prefix: &str) -> Option<usize> {
+    id.strip_prefix(prefix)?.parse().ok()
+}
 
 /// A shape of space.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -32,13 +40,12 @@ impl Shape3 {
     /// The shape of the gallery, or of the natural scene, with this id.
     #[must_use]
     pub fn of_preset(id: &str) -> Option<Self> {
-        let (name, maps) = match id.strip_prefix(NATURAL_PREFIX) {
-            Some(number) => {
-                let number: usize = number.parse().ok()?;
-                let thing = natural_scene().get(number)?;
-                (thing.name, thing.maps.clone())
-            }
-            None => preset3(id).map(|preset| (preset.name, preset.maps))?,
+        let (name, maps) = if let Some(number) = numbered(id, NATURAL_PREFIX) {
+            natural_scene().get(number).map(|thing| (thing.name, thing.maps.clone()))?
+        } else if let Some(number) = numbered(id, EVENING_PREFIX) {
+            evening_scene().get(number).map(|thing| (thing.name, thing.maps.clone()))?
+        } else {
+            preset3(id).map(|preset| (preset.name, preset.maps))?
         };
         Some(Self { preset: Some(id.to_owned()), name: name.to_owned(), maps })
     }
@@ -86,15 +93,14 @@ impl SpaceObject {
     #[must_use]
     pub fn of_preset(id: &str) -> Option<Self> {
         let shape = Shape3::of_preset(id)?;
-        let thing = id.strip_prefix(NATURAL_PREFIX).and_then(|number| number.parse::<usize>().ok());
-        let tint = thing.and_then(|number| natural_scene().get(number)).map(|thing| {
-            match thing.tint {
-                "ground" => "#8a7a52",
-                "cloud" => "#d5dde6",
-                _ => "#3f8f4f",
-            }
-            .to_owned()
+        let older = numbered(id, NATURAL_PREFIX).and_then(|number| natural_scene().get(number));
+        let tint = older.map(|thing| match thing.tint {
+            "ground" => "#8a7a52",
+            "cloud" => "#d5dde6",
+            _ => "#3f8f4f",
         });
+        let tint = tint.or_else(|| Some(evening_scene().get(numbered(id, EVENING_PREFIX)?)?.tint));
+        let tint = tint.map(str::to_owned);
         Some(Self { shape, moved: None, tint, bend: None })
     }
 }
@@ -102,9 +108,18 @@ impl SpaceObject {
 /// The objects of the natural scene.
 #[must_use]
 pub fn natural_objects() -> Vec<SpaceObject> {
-    (0..natural_scene().len())
-        .filter_map(|k| SpaceObject::of_preset(&format!("{NATURAL_PREFIX}{k}")))
+    (0..evening_scene().len())
+        .filter_map(|k| SpaceObject::of_preset(&format!("{EVENING_PREFIX}{k}")))
         .collect()
+}
+
+/// The natural scene in evening light, before a sky of its own: it looks the same on every page.
+#[must_use]
+pub fn natural_space() -> Space {
+    let light =
+        SpaceLight { side: -1.05, front: 0.3, ambient: 0.3, fog: 0.5, sky: 0.8, ..SpaceLight::fresh() };
+    let background = Some(SKY.to_owned());
+    Space { objects: natural_objects(), light, background, morph: None, timeline: None }
 }
 
 /// A background that is that of the page.
@@ -363,7 +378,8 @@ impl Space {
     #[must_use]
     pub fn whole_view(&self) -> SpaceView {
         let natural = |object: &SpaceObject| {
-            object.shape.preset.as_deref().is_some_and(|id| id.starts_with(NATURAL_PREFIX))
+            let id = object.shape.preset.as_deref();
+            id.is_some_and(|id| [NATURAL_PREFIX, EVENING_PREFIX].iter().any(|prefix| id.starts_with(prefix)))
         };
         if self.objects.len() > 1 && self.objects.iter().all(natural) {
             // Along x, as the paper has it.
@@ -423,7 +439,7 @@ mod tests {
             assert!(space.whole_view().is_one(), "{id}");
         }
         let objects = natural_objects();
-        assert_eq!(objects.len(), natural_scene().len());
+        assert_eq!(objects.len(), evening_scene().len());
         let view = Space { objects, ..Space::default() }.whole_view();
         assert!(view.is_one() && view.eye().iter().all(|x| x.abs() < 1e-9), "the eye is at the origin");
         assert_eq!(Shape3::of_preset("natural-99"), None);

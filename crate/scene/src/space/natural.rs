@@ -82,7 +82,7 @@ fn rooted([x, y]: [f64; 2]) -> [f64; 3] {
 
 /// The height of the ground over a point of its triangle: the map of the part that the point is in says how it follows
 /// from the height over another.
-fn height(x: f64, y: f64) -> f64 {
+pub(super) fn height(x: f64, y: f64) -> f64 {
     let maps = ground();
     let (mut x, mut y, mut height, mut part) = (x, y, 0.0, 1.0);
     for _ in 0..60 {
@@ -109,7 +109,7 @@ fn rows(id: &str) -> Vec<Affine3> {
 }
 
 /// The maps of a shape that is scaled, spun about z and moved (Darwish & Abd-El-Wahab, eq 1).
-fn placed(maps: &[Affine3], at: [f64; 3], spin: f64, scale: [f64; 3]) -> Vec<Row3> {
+pub(super) fn placed(maps: &[Affine3], at: [f64; 3], spin: f64, scale: [f64; 3]) -> Vec<Row3> {
     let turn = DMat3::from_quat(DQuat::from_rotation_z(spin));
     let by = Affine3::new(turn * DMat3::from_diagonal(DVec3::from_array(scale)), DVec3::from_array(at));
     // The places above can be undone: none is flat.
@@ -127,7 +127,7 @@ const HEIGHT_SHARE: f64 = 0.46;
 /// It is halved by its axis, and the halves by theirs. Every edge between two parts comes from one and the same edge of
 /// the whole, so that the heights of both agree along it as soon as what is added to a share of them does: planes
 /// through given heights of the corners of the parts. The ground nowhere tears.
-fn ground() -> [Affine3; 4] {
+pub(super) fn ground() -> [Affine3; 4] {
     let [a, b, c] = CORNERS;
     let middle = 0.5 * (a + b);
     // Each half, as the images of the three corners.
@@ -187,7 +187,7 @@ fn rise(at: DVec2) -> f64 {
 }
 
 /// Seven large and overlapping pieces: a heap that is denser below.
-fn cloud() -> Vec<Affine3> {
+pub(super) fn cloud() -> Vec<Affine3> {
     let piece = |x: f64, y: f64, z: f64, size: f64, spin: f64| {
         let turn = DMat3::from_quat(DQuat::from_rotation_z(spin) * DQuat::from_rotation_x(0.3 * spin));
         Affine3::new(turn * size, DVec3::new(x, y, z))

@@ -31,6 +31,12 @@ pub fn natural() -> Result<JsValue, JsValue> {
     write(&frond_scene::natural_objects())
 }
 
+/// The same with its light and its sky.
+#[wasm_bindgen(js_name = naturalSpace, unchecked_return_type = "Space")]
+pub fn natural_space() -> Result<JsValue, JsValue> {
+    write(&frond_scene::natural_space())
+}
+
 /// What the tool begins with.
 #[wasm_bindgen(js_name = defaultSpace, unchecked_return_type = "Space")]
 pub fn default_space() -> Result<JsValue, JsValue> {

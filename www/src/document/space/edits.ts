@@ -129,12 +129,18 @@ export function changeMaps(maps: MapRow3[], options: Options = {}): void {
   );
 }
 
-/** Another beginning: these objects alone, with neither morph nor time line. */
-export function startWith(objects: SpaceObject[]): void {
+/** How a scene is to be seen that brings its own light and sky. */
+export type Look = Pick<Space, "light" | "background">;
+
+/** Another beginning: these objects alone, with neither morph nor time line; what brings no look has the usual one. */
+export function startWith(objects: SpaceObject[], look?: Look): void {
   for (const object of objects) solid.validate3(object.maps);
   edit((now) => {
-    const light = solid.defaultSpace().light;
-    const background = space.peek()?.background;
+    const light = look?.light ?? solid.defaultSpace().light;
+    const before = space.peek()?.background;
+    // A sky leaves with the scene that it came with.
+    const kept = before === solid.naturalSpace().background ? undefined : before;
+    const background = look?.background ?? kept;
     const first: Space = { objects, light, ...(background === undefined ? {} : { background }) };
     return { ...now, space: { packed: solid.packSpace(first), at: 0 } };
   });

@@ -8,7 +8,7 @@ use frond_deform::Spin;
 
 use super::bend::SPINS;
 use super::*;
-use crate::space::document::{PaintName, natural_objects, read_repeat};
+use crate::space::document::{PaintName, natural_objects, natural_space, read_repeat};
 
 fn any_row() -> impl Strategy<Value = Row3> {
     let number = prop_oneof![6 => -0.28..0.28_f64, 1 => Just(0.0), 1 => Just(-0.0), 1 => Just(1e-300)];
@@ -187,9 +187,16 @@ fn words_are_short_where_the_gallery_says_it() {
     let natural = Space { objects: natural_objects(), ..plain };
     assert_eq!(
         pack(&natural).unwrap(),
-        (0..8).map(|k| format!("o:natural-{k}")).collect::<Vec<_>>().join("/")
+        (0..13).map(|k| format!("o:evening-{k}")).collect::<Vec<_>>().join("/")
     );
     assert_eq!(unpack(&pack(&natural).unwrap()).unwrap(), natural);
+    // Links of before there was an evening have the scene of then.
+    let older = (0..8).map(|k| format!("o:natural-{k}")).collect::<Vec<_>>().join("/");
+    let read = unpack(&older).unwrap();
+    assert_eq!(pack(&read).unwrap(), older);
+    assert_eq!(read.objects[0].shape.name, "Ground");
+    let evening = natural_space();
+    assert_eq!(unpack(&pack(&evening).unwrap()).unwrap(), evening);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { standing } from "#document/morph";
 import { scene } from "#document/scene";
+import type { Look } from "#document/space/edits";
 import { space } from "#document/space/space";
 import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
@@ -16,6 +17,8 @@ import { makePictures, pictures } from "./thumbs";
 
 interface Item extends ShapeItem {
   objects: SpaceObject[];
+  /** Its own light and sky. */
+  look?: Look;
 }
 
 const NATURAL = "natural-scene";
@@ -30,13 +33,16 @@ function items(): Item[] {
     objects: [{ preset: id, name, maps }],
   }));
   const { name } = scene.peek().a;
+  const natural = solid.naturalSpace();
   return [
     ...all,
     {
       id: NATURAL,
       name: "A natural scene",
-      about: "Hills, trees, ferns and clouds, all of them attractors, with the eye at the origin.",
-      objects: solid.naturalScene(),
+      about:
+        "Hills, trees with bark and leaves, ferns and clouds in evening light, all of them attractors, with the eye at the origin.",
+      objects: natural.objects,
+      look: natural,
     },
     {
       id: PLANE,
@@ -65,8 +71,8 @@ export function Gallery({ how: first, onClose }: { how: How | "ask"; onClose: ()
   const several = (space.value?.objects.length ?? 1) > 1;
   // A scene cannot stand in the place of one of its own objects.
   const shown = how === "instead" ? all.filter(({ objects }) => objects.length === 1) : all;
-  const takeIn = ({ name, objects }: Item, where: How) => {
-    take(objects, where, takenWords(name, where, now?.name ?? ""));
+  const takeIn = ({ name, objects, look }: Item, where: How) => {
+    take(objects, where, takenWords(name, where, now?.name ?? ""), { look });
     onClose();
   };
   const grid = useRef<HTMLDivElement>(null);
@@ -113,7 +119,7 @@ export function Gallery({ how: first, onClose }: { how: How | "ask"; onClose: ()
           presets={shown}
           pictures={pictures.value}
           noteOf={note}
-          chosen={several ? (now?.preset?.startsWith("natural-") ? NATURAL : undefined) : now?.preset}
+          chosen={several ? (now?.preset?.startsWith("evening-") ? NATURAL : undefined) : now?.preset}
           onChoose={(item) => {
             if (how === "ask") setAsked(item);
             else takeIn(item, how);

@@ -13,7 +13,7 @@ export function takeFound({ name, maps }: { name: string; maps: MapRow3[] }, sai
   const there = several
     ? `${name} stands beside what there is, with ${maps.length} maps.`
     : `${name} is there, with ${maps.length} maps, in place of what was. Undo brings that back.`;
-  take([{ name, maps }], several ? "beside" : "alone", `${there} ${said}`.trim(), true);
+  take([{ name, maps }], several ? "beside" : "alone", `${there} ${said}`.trim(), { aloud: true });
 }
 
 /** Saves the parameters as they are now: what was done to the object is in them. */

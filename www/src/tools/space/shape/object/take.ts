@@ -2,7 +2,7 @@
 
 import { announce, notify, wordsOf } from "#document/notice";
 import { scene, undo } from "#document/scene";
-import { changeSpace, reshapeSpace, startWith } from "#document/space/edits";
+import { changeSpace, type Look, reshapeSpace, startWith } from "#document/space/edits";
 import { choose, chosen, setView, space, spaceFrame } from "#document/space/space";
 import type { SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";
@@ -40,10 +40,15 @@ function tellOf(what: string, left: boolean, aloud: boolean): void {
 }
 
 /**
- * Takes objects in, and says `what` was done, to be seen where `aloud`. Of what cannot be taken it says why, and
- * nothing changes.
+ * Takes objects in, and says `what` was done, to be seen where `aloud`; their `look` comes with them where they stand
+ * alone. Of what cannot be taken it says why, and nothing changes.
  */
-export function take(objects: readonly SpaceObject[], how: How, what: string, aloud = false): void {
+export function take(
+  objects: readonly SpaceObject[],
+  how: How,
+  what: string,
+  { aloud = false, look }: { aloud?: boolean; look?: Look | undefined } = {},
+): void {
   const [first] = objects;
   if (!first) return;
   const before = space.peek();
@@ -51,7 +56,7 @@ export function take(objects: readonly SpaceObject[], how: How, what: string, al
   try {
     for (const { maps } of objects) solid.validate3(maps);
     if (how === "alone") {
-      startWith([...objects]);
+      startWith([...objects], look);
       choose(0);
     } else if (how === "instead") {
       const { moved: _moved, tint: _tint, ...shape } = first;
