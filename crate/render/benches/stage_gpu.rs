@@ -194,7 +194,7 @@ mod measure {
                 });
             }
             frames.tell(&format!("tetrahedron, carved in {carved:.0} ms by one core and lit"));
-            let twin = light(buffer, &uniforms.still_lamp, &uniforms.colours);
+            let twin = light(buffer, &uniforms.still_lamp, &uniforms.colours, None);
             let shown = picture(stage.read());
             let off = shown.iter().zip(&twin).filter(|(a, b)| a.abs_diff(**b) > 6).count();
             println!("    {off} of {} bytes are not as the processor lights them", twin.len());
