@@ -18,7 +18,7 @@ const FARTHEST_MOMENT: f64 = 1e6;
 
 /// Whether a word can stand in a link as it is.
 fn stands(packed: &str) -> bool {
-    packed.len() <= MAX_PACKED && packed.chars().all(|c| c.is_ascii_graphic() && !"&#".contains(c))
+    packed.len() <= MAX_PACKED && packed.bytes().all(|c| c.is_ascii_graphic() && !matches!(c, b'&' | b'#'))
 }
 
 pub(super) fn write_space(link: &mut String, space: &SpacePart) -> Result<(), LinkError> {
