@@ -20,7 +20,7 @@ pub fn light(buffer: &DepthBuffer, lamp: &Lamp, colours: &Colours, shadows: Opti
 }
 
 /// Some rows of that picture, from a buffer that has those of its source from `top` on. It should have all that is to
-/// be lit, and so many more above and below as [`reach_of`] says.
+/// be lit, and so many more above and below as [`reach_of`](super::reach_of) says.
 #[must_use]
 pub fn light_rows(
     buffer: &DepthBuffer,
