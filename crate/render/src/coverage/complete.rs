@@ -27,7 +27,6 @@ pub fn codes(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> 
     let mut codes = splats.codes;
     let mut settled = Bitmap::new(window);
     let mut sweep = Sweep::new(frame, to_screen, window, detail);
-    let mut progress = Progress::Complete;
     let maps = frame.maps.len();
     for (letter, map) in frame.maps.iter().enumerate().rev() {
         let letters = Letters::NONE.then(letter);
@@ -36,10 +35,11 @@ pub fn codes(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> 
         settled.light_where(&codes, |code| *code >= least);
         sweep.restart_piece_on(frame, Node { map: to_screen * *map, letters }, &settled, detail);
         if sweep.run(u64::MAX, |hit| put(&mut codes, window, hit, frame.maps.len())) == Progress::Probed {
-            progress = Progress::Probed;
+            // A sweep of all maps at once may still find its way, since earlier ones hide less of each other.
+            return swept_codes(frame, to_screen, window, detail);
         }
     }
-    (codes, progress)
+    (codes, Progress::Complete)
 }
 
 /// The same by a sweep alone, which takes ten times as long where pieces do not overlap without end.
