@@ -35,7 +35,7 @@ pub fn codes(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> 
         settled.light_where(&codes, |code| *code >= least);
         sweep.restart_piece_on(frame, Node { map: to_screen * *map, letters }, &settled, detail);
         if sweep.run(u64::MAX, |hit| put(&mut codes, window, hit, frame.maps.len())) == Progress::Probed {
-            // A sweep of all maps at once may still find its way, since earlier ones hide less of each other.
+            // A sweep of all maps may make more visits before it gives up, and so may still come to its end.
             return swept_codes(frame, to_screen, window, detail);
         }
     }
