@@ -98,9 +98,11 @@ async function space(fragment, name, options) {
 }
 
 await space("#v=1&tool=space", "space");
-const natural = Array.from({ length: 8 }, (_, k) => `o:natural-${k}`).join("/");
-const view = (at, x, y, turn) => `k:${at},inout~v${x},${y},-0.4,7,${turn},0.08,0.5`;
-const flight = [view(0, 12, 0, -1.57), view(2, 12, 1, -1.2), view(4, 13, 0, -0.8)].join("/");
+// In its evening light, before its sky.
+const things = Array.from({ length: 13 }, (_, k) => `o:evening-${k}`).join("/");
+const natural = `${things}/l:map,-1.05,0.3,0.3,0.35,0.5/f:0.85,0.35,0.8,0.8,0,1/b:e9d2b4`;
+const view = (at, x, y, turn) => `k:${at},inout~v${x},${y},-0.4,11,${turn},0.04,0.5`;
+const flight = [view(0, 12, 0, -1.57), view(2, 12, 0, -1.62), view(4, 13, 0.4, -1.5)].join("/");
 await space(`#v=1&tool=space&space=${natural}/time:6,0,smooth/${flight}&space-at=2`, "scene", {
   colorScheme: "light",
 });
