@@ -7,6 +7,7 @@
 mod anchor_error;
 mod cutter;
 mod density;
+mod draft;
 mod eye;
 mod moving;
 mod placed;
@@ -20,6 +21,7 @@ use glam::DVec2;
 
 pub use anchor_error::AnchorError;
 pub use cutter::{Cut, Cutter, Piece};
+pub use draft::{complete, draft};
 pub use eye::Eye;
 pub use moving::Moving;
 pub use placed::{Placed, Sides};

@@ -1,5 +1,6 @@
 //! How dense the measure lies in each pixel.
 
+mod carried;
 mod contrast;
 
 pub(crate) use contrast::Contrast;

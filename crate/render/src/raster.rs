@@ -4,7 +4,7 @@ use frond_core::{Colouring, Hull, Ifs};
 use frond_deform::Bend;
 use thiserror::Error;
 
-use crate::bent::{AnchorError, Bent, BentSweep};
+use crate::bent::{AnchorError, Bent, BentSweep, complete, draft};
 use crate::coverage::complete::codes;
 use crate::density::Density;
 use crate::picture::colour::{Colours, is_for_light_ground};
@@ -13,7 +13,7 @@ use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
 use crate::pieces::letters::Code;
-use crate::splat::Splats;
+use crate::splat::{Splats, close_holes};
 
 /// What [`rasterize`] draws.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,7 @@ pub struct RasterOptions<'a> {
     /// where the colours of the palette are dark.
     pub light_ground: Option<bool>,
     /// Whether points are enough, as many as are drawn within a frame of what moves: the shape is whole and smooth, but
-    /// some pixels that it hardly reaches into are left out. Only of an attractor at rest that is no density.
+    /// some pixels that it hardly reaches into are left out, and densities are a little softer.
     pub draft: bool,
     /// What bends the attractor. It must have been made for the same maps.
     pub bend: Option<&'a Bend>,
@@ -126,11 +126,22 @@ pub fn rasterize_bent(ifs: &Ifs, bend: &Bend, options: &RasterOptions<'_>) -> Re
         let (fine, scale) = ground.fine(options);
         let bent = bent(place, (fine, scale));
         let coloured = options.colouring == Colouring::Grid && bent.has_colours();
-        let mut sweep = BentSweep::new();
-        sweep.begin(&bent, CERTAIN_REACH * scale, coloured);
-        sweep.run(&bent, u64::MAX);
         ground.colours.tinted = f32::from(u8::from(coloured));
-        Ok(ground.picture_of_codes(&sweep.into_codes(), options))
+        let codes = if options.draft {
+            let mut codes = draft(&bent, coloured);
+            if options.smooth {
+                close_holes(&mut codes, fine);
+            }
+            codes
+        } else if !coloured {
+            complete(&bent, CERTAIN_REACH * scale)
+        } else {
+            let mut sweep = BentSweep::new();
+            sweep.begin(&bent, CERTAIN_REACH * scale, coloured);
+            sweep.run(&bent, u64::MAX);
+            sweep.into_codes()
+        };
+        Ok(ground.picture_of_codes(&codes, options))
     }
 }
 
@@ -168,7 +179,7 @@ pub fn rasterize_colours(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u
     let codes = if options.draft {
         let mut splats = Splats::draw(frame, to_fine, fine, POINTS_OF_DRAFT);
         if options.smooth {
-            splats.close_holes();
+            close_holes(&mut splats.codes, fine);
         }
         splats.codes
     } else {
@@ -222,10 +233,18 @@ impl Ground {
     fn picture_of_density(&mut self, density: Density, options: &RasterOptions<'_>) -> Vec<u8> {
         self.colours.slope = density.tone.slope;
         self.colours.towards = if options.is_light() { 0.0 } else { 1.0 };
-        let (sums, gain) = densities(&self.frame, density, self.window, &self.colours);
+        let at_rest = options.bend.is_none().then(|| self.view.onto_screen(self.frame.to_world, self.window));
+        let place = (self.window, if options.draft { DENSITY_SPACING.0 } else { DENSITY_SPACING.1 });
+        let mut sums = vec![[0.0; 4]; self.window.area()];
+        let gain = if density.carry(&self.frame, at_rest, &self.colours, place, &mut sums) {
+            density.tone_gain()
+        } else {
+            let points = if options.draft { POINTS_A_PIXEL.0 } else { POINTS_A_PIXEL.1 };
+            throw(&self.frame, density, self.window, &self.colours, (points, &mut sums))
+        };
         self.colours.source = [self.window.width as i32, self.window.height as i32];
         self.colours.gain = gain * options.exposure.max(0.0);
-        picture_of_density(&self.colours, &sums, self.window)
+        picture_of_density(&self.colours, &sums)
     }
 }
 
@@ -236,21 +255,28 @@ const POINTS_OF_DRAFT: u64 = 1_500_000;
 /// The density of a bent attractor: the size of its pieces, their number at most, and points in a pass.
 const BENT_DENSITY: (f64, usize, usize) = (16.0, 60_000, 65_536);
 
-/// Points a lit pixel of a density picture, and at most in all.
-const POINTS_A_PIXEL: usize = 40;
+/// How far from each other the masses of densities lie, in pixels: of drafts, and of what is complete.
+const DENSITY_SPACING: (f64, f64) = (0.8, 0.4);
+/// Where a density is left to chance: points a lit pixel, of drafts and of what is complete, and at most in all.
+const POINTS_A_PIXEL: (usize, usize) = (8, 40);
 const MOST_POINTS: usize = 40_000_000;
 
-/// The densities of the pixels, and what multiplied by makes a middle tone 1.
-fn densities(frame: &Frame, mut density: Density, window: Window, colours: &Colours) -> (Vec<[f32; 4]>, f32) {
-    let mut sums = vec![[0.0; 4]; window.area()];
+/// Finds the densities of the pixels by chance. Returns what multiplied by makes a middle tone 1.
+fn throw(
+    frame: &Frame,
+    mut density: Density,
+    window: Window,
+    colours: &Colours,
+    (points_a_pixel, sums): (usize, &mut [[f32; 4]]),
+) -> f32 {
     let mut samples = Vec::new();
-    let wanted = (density.lit * POINTS_A_PIXEL).min(MOST_POINTS);
+    let wanted = (density.lit * points_a_pixel).min(MOST_POINTS);
     let (mut points, mut passes) = (0, 0_u16);
     while points < wanted && !density.pieces.is_empty() {
-        points += density.accumulate(frame, colours, window, &mut samples, &mut sums);
+        points += density.accumulate(frame, colours, window, &mut samples, sums);
         passes += 1;
     }
-    (sums, density.tone_gain() / f32::from(passes.max(1)))
+    density.tone_gain() / f32::from(passes.max(1))
 }
 
 #[cfg(test)]

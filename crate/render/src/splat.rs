@@ -4,7 +4,7 @@
 //! attractor is taken apart into pieces of some pixels, later maps first. A piece whose pixels are all lit is dropped;
 //! the points of the others are drawn through their maps.
 
-mod cloud;
+pub(crate) mod cloud;
 
 use frond_core::Affine2;
 
@@ -14,7 +14,7 @@ use crate::picture::bitmap::Bitmap;
 use crate::picture::window::{Extent, PixelBox, Window};
 use crate::pieces::cut::cut_roughly;
 use crate::pieces::frame::Frame;
-use crate::pieces::letters::{KEPT, Letters, ShortCode};
+use crate::pieces::letters::{Code, KEPT, Letters, ShortCode};
 
 /// The codes of a picture, drawn as points.
 #[derive(Debug)]
@@ -119,18 +119,6 @@ impl Splats {
         }
     }
 
-    /// Lights each dark pixel whose eight neighbours are lit, as the one to its left is. Points leave out about one of
-    /// a hundred pixels of a full area; where a pixel of the picture is made of four, this lights none that was dark.
-    pub(crate) fn close_holes(&mut self) {
-        let width = self.window.width as usize;
-        let mut lit = Bitmap::new(self.window);
-        lit.light_where(&self.codes, |code| *code > ShortCode::default());
-        lit.each_hole(|(x, y)| {
-            let at = y as usize * width + x as usize;
-            self.codes[at] = self.codes[at - 1];
-        });
-    }
-
     #[inline(never)]
     fn all_lit(&self, pixels: PixelBox) -> bool {
         let width = self.window.width as usize;
@@ -153,6 +141,18 @@ impl Splats {
             }
         });
     }
+}
+
+/// Lights each dark pixel whose eight neighbours are lit, as the one to its left is. Points leave out about one of
+/// a hundred pixels of a full area; where a pixel of the picture is made of four, this lights none that was dark.
+pub(crate) fn close_holes<C: Code>(codes: &mut [C], window: Window) {
+    let width = window.width as usize;
+    let mut lit = Bitmap::new(window);
+    lit.light_where(codes, |code| *code > C::default());
+    lit.each_hole(|(x, y)| {
+        let at = y as usize * width + x as usize;
+        codes[at] = codes[at - 1];
+    });
 }
 
 /// How a cloud is put on the pixels.
@@ -212,7 +212,6 @@ mod tests {
     use super::*;
     use crate::coverage::complete::{codes, swept_codes};
     use crate::picture::view::View;
-    use crate::pieces::letters::Code;
     use crate::testing::{NASTY, PLAIN, ifs, some_ifs};
 
     const WINDOW: Window = Window { width: 320, height: 240 };
@@ -421,7 +420,7 @@ mod tests {
         for (x, y) in [(0, 3), (63, 2), (64, 5), (69, 5), (30, 0), (30, 7), (10, 4), (11, 4)] {
             splats.codes[y * 70 + x] = ShortCode::default();
         }
-        splats.close_holes();
+        close_holes(&mut splats.codes, window);
         let dark: Vec<_> = (0..window.area())
             .filter(|at| splats.codes[*at].code() == 0)
             .map(|at| (at % 70, at / 70))

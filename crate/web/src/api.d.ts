@@ -828,7 +828,7 @@ export interface RasterOptions {
   lightGround?: boolean;
   /**
    * Whether a draft is enough, several times as quick: whole and smooth, without some pixels that the attractor hardly
-   * reaches into. For frames of what moves. Densities and bent attractors are drawn as without it.
+   * reaches into. For frames of what moves. Densities are a little softer, and what is bent is off by half a pixel.
    */
   draft?: boolean;
   /** What bends the attractor. */

@@ -70,6 +70,13 @@ impl BentSweep {
         self.set(bent, detail, coloured);
     }
 
+    /// The same of one map alone, by letters.
+    pub fn begin_piece_on(&mut self, bent: &Bent<'_>, detail: f64, letter: usize, lit: &Bitmap) {
+        self.begin_on(bent, detail, false, lit);
+        let cursor = bent.bend.child(&bent.bend.whole(), letter);
+        self.stack = vec![Node::Piece { cursor, letters: Letters::NONE.then(letter), depth: 1 }];
+    }
+
     fn set(&mut self, bent: &Bent<'_>, detail: f64, coloured: bool) {
         self.stack.clear();
         self.stack.push(Node::Piece { cursor: bent.bend.whole(), letters: Letters::NONE, depth: 0 });

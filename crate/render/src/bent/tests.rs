@@ -10,7 +10,7 @@ use crate::plan::{Detail, PlacedPoints};
 use crate::raster::{RasterOptions, rasterize};
 use crate::testing::{ifs, of_rows};
 
-const WINDOW: Window = Window { width: 120, height: 96 };
+pub const WINDOW: Window = Window { width: 120, height: 96 };
 
 fn shape(name: &str) -> Ifs {
     match name {
@@ -23,7 +23,7 @@ fn shape(name: &str) -> Ifs {
 }
 
 /// Control points over the box of a shape, moved by a share of its size: all of them, each another way, or one alone.
-fn mesh(ifs: &Ifs, share: f64, pulled: bool) -> Mesh {
+pub fn mesh(ifs: &Ifs, share: f64, pulled: bool) -> Mesh {
     let hull = Hull::of(ifs);
     let size = hull.max() - hull.min();
     let all = |i: i32| DVec2::new(f64::from(i * 7 % 16) - 7.5, f64::from(i * 5 % 16) - 7.5) / 8.0;
@@ -32,20 +32,20 @@ fn mesh(ifs: &Ifs, share: f64, pulled: bool) -> Mesh {
     Mesh::new(hull.min(), hull.max(), 4, 4, list).unwrap()
 }
 
-fn settings(kb: f64, ke: f64, delta: f64, spin: Spin) -> Settings {
+pub fn settings(kb: f64, ke: f64, delta: f64, spin: Spin) -> Settings {
     let roughness = Roughness::Constant(delta);
     Settings { kb, ke, roughness, spin, continuity: Continuity::Auto, superposed: true }
 }
 
-struct Subject {
+pub struct Subject {
     frame: Frame,
-    bend: Bend,
+    pub bend: Bend,
     anchor_error: AnchorError,
     view: View,
 }
 
 impl Subject {
-    fn new(name: &str, bend: impl FnOnce(&Ifs) -> Bend) -> Self {
+    pub fn new(name: &str, bend: impl FnOnce(&Ifs) -> Bend) -> Self {
         let ifs = shape(name);
         let hull = Hull::of(&ifs);
         let frame = Frame::within(&ifs, &hull);
@@ -54,11 +54,11 @@ impl Subject {
         Self { view: View::fit(&hull, WINDOW.width, WINDOW.height, 0.15), frame, bend, anchor_error }
     }
 
-    fn plain(name: &str, share: f64, settings: Settings) -> Self {
+    pub fn plain(name: &str, share: f64, settings: Settings) -> Self {
         Self::new(name, |ifs| Bend::new(ifs.maps(), mesh(ifs, share, false), settings, None).unwrap())
     }
 
-    fn bent(&self) -> Bent<'_> {
+    pub fn bent(&self) -> Bent<'_> {
         Bent::new(&self.frame, &self.bend, &self.anchor_error, (self.view, WINDOW), (WINDOW, 1.0))
     }
 

@@ -215,7 +215,7 @@ impl Stage {
             }
             Shown::SoftSums => {
                 let colours = self.colours(frame, self.state.window, 1.0, self.state.density.software_gain());
-                picture_of_density(&colours, self.state.density.sums(), self.state.window)
+                picture_of_density(&colours, self.state.density.sums())
             }
             Shown::Front | Shown::Back | Shown::Sums => return,
         };

@@ -24,8 +24,6 @@ interface Request {
 }
 
 const LANES = 2;
-/** What is bent or a density has no draft: while it moves, it is drawn with so many times fewer pixels a side. */
-const COARSE = 3;
 /** A frame of what moves is to take about so long: where device pixels take longer, it has those of CSS. */
 const FRAME_MS = 12;
 
@@ -110,8 +108,7 @@ export class Processor implements Surface {
   async #draw(request: Request, quality: Quality, lane: 0 | 1): Promise<Frame> {
     const { maps, weights, bend, view, style } = request;
     const moving = quality === "moving";
-    const draft = moving && !bend && style.colouring !== "density";
-    const share = draft ? Math.max(this.#share, 1 / request.ratio) : moving ? 1 / COARSE : 1;
+    const share = moving ? Math.max(this.#share, 1 / request.ratio) : 1;
     const options: RasterOptions = {
       width: Math.ceil(request.width * share),
       height: Math.ceil(request.height * share),
@@ -119,7 +116,7 @@ export class Processor implements Surface {
       colouring: style.colouring,
       palette: style.palette,
       lightGround: style.lightGround ?? false,
-      draft,
+      draft: moving,
       ...(bend ? { bend } : {}),
     };
     return frameTask("frame", { maps, weights, options, bends: await bendsFor(options) }, { lane });
