@@ -63,6 +63,18 @@ describe("a fractal deformation", () => {
     expect(grid[241]).toBeCloseTo(0.5, 12);
   });
 
+  it("draws the same, whatever was drawn before", () => {
+    const lifted = (by: number) =>
+      bend(0, 0, { moves: Array.from({ length: 32 }, (_, i) => (i === 13 ? by : 0)) });
+    const draw = (by: number) => frond.rasterize(gasket, { width: 90, height: 60, bend: lifted(by) });
+    const [first, moved] = [draw(0.1), draw(0.6)];
+    // Another shape in between: nothing is left of the one before.
+    frond.bendFacts({ maps: gasket.maps.slice(0, 2) }, lifted(0.2));
+    expect(draw(0.6)).toEqual(moved);
+    expect(draw(0.1)).toEqual(first);
+    expect(moved).not.toEqual(first);
+  });
+
   it("tells what came of it", () => {
     const facts = frond.bendFacts(gasket, bend(0.3, 0.4));
     expect(facts).toMatchObject({ continuity: "corners", ke: 6 });

@@ -21,7 +21,7 @@ use glam::DVec2;
 
 pub use anchor_error::AnchorError;
 pub use cutter::{Cut, Cutter, Piece};
-pub use draft::{complete, draft};
+pub use draft::{complete_codes, draft_codes};
 pub use eye::Eye;
 pub use moving::Moving;
 pub use placed::{Placed, Sides};

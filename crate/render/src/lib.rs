@@ -37,7 +37,7 @@
 //!    carries the measure into pieces without chance, and its tones go by what the pieces in view tell of the masses of
 //!    their pixels.
 //! 5. [`bent`] draws what a [`Bend`](frond_deform::Bend) deforms: in pieces that are even in themselves.
-//!    [`bent::draft`] is a picture of points for each frame of what moves. `sheet` bends a photograph.
+//!    [`bent::draft_codes`] is a picture of points for each frame of what moves. `sheet` bends a photograph.
 //! 6. [`solid`] is space: a [`Traversal`](solid::Traversal) leaves a depth buffer, which is shaded; points are splats.
 //! 7. [`mesh`] makes a surface around shapes of space, watertight, and files of it.
 //! 8. `gpu` draws on a card: a `Stage` chooses between passes, which share one `StageState`; `locus` decides the

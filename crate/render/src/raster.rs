@@ -4,7 +4,7 @@ use frond_core::{Colouring, Hull, Ifs};
 use frond_deform::Bend;
 use thiserror::Error;
 
-use crate::bent::{AnchorError, Bent, BentSweep, complete, draft};
+use crate::bent::{AnchorError, Bent, complete_codes, draft_codes};
 use crate::coverage::complete::codes;
 use crate::density::Density;
 use crate::picture::colour::{Colours, is_for_light_ground};
@@ -128,18 +128,13 @@ pub fn rasterize_bent(ifs: &Ifs, bend: &Bend, options: &RasterOptions<'_>) -> Re
         let coloured = options.colouring == Colouring::Grid && bent.has_colours();
         ground.colours.tinted = f32::from(u8::from(coloured));
         let codes = if options.draft {
-            let mut codes = draft(&bent, coloured);
+            let mut codes = draft_codes(&bent, coloured);
             if options.smooth {
                 close_holes(&mut codes, fine);
             }
             codes
-        } else if !coloured {
-            complete(&bent, CERTAIN_REACH * scale)
         } else {
-            let mut sweep = BentSweep::new();
-            sweep.begin(&bent, CERTAIN_REACH * scale, coloured);
-            sweep.run(&bent, u64::MAX);
-            sweep.into_codes()
+            complete_codes(&bent, CERTAIN_REACH * scale, coloured)
         };
         Ok(ground.picture_of_codes(&codes, options))
     }

@@ -1,5 +1,5 @@
-//! A bent picture by points, on the processor: quickly enough for every frame of what moves, or complete with a sweep of
-//! what they leave dark.
+//! A bent picture by points, on the processor: quickly enough for every frame of what moves, or complete with a sweep
+//! of what they leave dark.
 
 use frond_deform::Cursor;
 use glam::Vec2;
@@ -23,7 +23,7 @@ const TOLERANCE: f64 = 1.0;
 const FLOORS: [f64; 3] = [8.0, 16.0, 32.0];
 const MOST_VISITS: u32 = 40_000;
 /// The same before a picture is left to a sweep alone.
-const MOST_OF_COMPLETE: u32 = 1_500_000;
+const MOST_OF_COMPLETE: u32 = 150_000;
 /// Points for each pixel of the window, and on top, before the same.
 const MOST_POINTS: (usize, usize) = (6, 500_000);
 
@@ -33,7 +33,7 @@ const COMPLETE_SPACING: f64 = 0.6;
 /// The codes of a picture of a bent attractor, one a pixel, row after row: of colours that the bend carries where they
 /// are `coloured`, else of letters.
 #[must_use]
-pub fn draft(bent: &Bent<'_>, coloured: bool) -> Vec<u32> {
+pub fn draft_codes(bent: &Bent<'_>, coloured: bool) -> Vec<u32> {
     let mut clouds = Clouds::new(bent.frame, PIECE, SPACING);
     let mut draft = Draft { window: bent.window, codes: Vec::new() };
     for (attempt, floor) in FLOORS.into_iter().enumerate() {
@@ -46,14 +46,17 @@ pub fn draft(bent: &Bent<'_>, coloured: bool) -> Vec<u32> {
     draft.finish()
 }
 
-/// The codes of the complete picture: of the letters that a sweep finds, most of them by points.
+/// The codes of the complete picture, as a sweep finds them. Where they are of letters, points light most pixels first.
 #[must_use]
-pub fn complete(bent: &Bent<'_>, detail: f64) -> Vec<u32> {
+pub fn complete_codes(bent: &Bent<'_>, detail: f64, coloured: bool) -> Vec<u32> {
     let mut sweep = BentSweep::new();
-    let mut clouds = Clouds::new(bent.frame, PIECE, COMPLETE_SPACING);
     let mut draft = Draft { window: bent.window, codes: Vec::new() };
-    if !draft.pieces(bent, &mut clouds, &Fineness::complete(PIECE), false, (MOST_OF_COMPLETE, false)) {
-        sweep.begin(bent, detail, false);
+    let mut points = |most| {
+        let mut clouds = Clouds::new(bent.frame, PIECE, COMPLETE_SPACING);
+        draft.pieces(bent, &mut clouds, &Fineness::complete(PIECE), false, (most, false))
+    };
+    if coloured || !points(MOST_OF_COMPLETE) {
+        sweep.begin(bent, detail, coloured);
         sweep.run(bent, u64::MAX);
         return sweep.into_codes();
     }
@@ -201,7 +204,7 @@ mod tests {
                 (0.1, Settings { continuity: Continuity::Published, ..settings(0.0, 6.0, 0.5, Spin::None) }),
             ] {
                 let subject = Subject::plain(name, share, settings);
-                let (drawn, truth) = (draft(&subject.bent(), false), swept(&subject, false));
+                let (drawn, truth) = (draft_codes(&subject.bent(), false), swept(&subject, false));
                 let count = truth.iter().filter(|code| **code > 0).count();
                 let (beside, missed) = (apart(&drawn, &truth), apart(&truth, &drawn));
                 assert!(beside * 200 <= count, "{name} {share}: {beside} of {count} are not there");
@@ -219,7 +222,7 @@ mod tests {
         for name in ["right gasket", "dragon", "carpet", "fern", "koch", "dust", "singular"] {
             for (share, delta) in [(0.0, 0.5), (0.15, 0.75)] {
                 let subject = Subject::plain(name, share, settings(0.0, 9.0, delta, Spin::None));
-                let (drawn, truth) = (complete(&subject.bent(), 0.0625), swept(&subject, false));
+                let (drawn, truth) = (complete_codes(&subject.bent(), 0.0625, false), swept(&subject, false));
                 let first = |code: &u32| code.div_ceil(1 << 12);
                 let count = truth.iter().filter(|code| **code > 0).count();
                 let differ = drawn.iter().zip(&truth).filter(|(a, b)| first(a) != first(b)).count();
@@ -231,7 +234,7 @@ mod tests {
     #[test]
     fn a_square_that_is_bent_has_no_hole() {
         let subject = Subject::plain("square", 0.1, settings(0.0, 9.0, 0.5, Spin::None));
-        let mut drawn = draft(&subject.bent(), false);
+        let mut drawn = draft_codes(&subject.bent(), false);
         crate::splat::close_holes(&mut drawn, WINDOW);
         let truth = swept(&subject, false);
         let width = WINDOW.width as usize;
@@ -273,7 +276,7 @@ mod tests {
     fn what_overlaps_without_end_takes_no_more_points_than_there_may_be() {
         for name in NASTY {
             let subject = Subject::plain(name, 0.1, settings(0.0, 9.0, 0.75, Spin::None));
-            let codes = draft(&subject.bent(), false);
+            let codes = draft_codes(&subject.bent(), false);
             // A mesh around so long a line takes all of it out of the window.
             let lit = codes.iter().any(|code| *code > 0) || *name == "slow line";
             assert!(lit && codes.len() == WINDOW.area(), "{name}");
@@ -288,7 +291,7 @@ mod tests {
         let subject = Subject::new("square", |ifs| {
             Bend::new(ifs.maps(), mesh(ifs, 0.05, false), settings, Some(tint)).unwrap()
         });
-        let (drawn, truth) = (draft(&subject.bent(), true), swept(&subject, true));
+        let (drawn, truth) = (draft_codes(&subject.bent(), true), swept(&subject, true));
         let red = |code: u32| f64::from((code - 1) >> 16);
         let both: Vec<_> = drawn.iter().zip(&truth).filter(|(a, b)| **a > 0 && **b > 0).collect();
         let differ = both.iter().filter(|(a, b)| (red(**a) - red(**b)).abs() > 40.0).count();

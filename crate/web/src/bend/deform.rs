@@ -5,7 +5,7 @@ use glam::DVec2;
 use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
 
-use crate::boundary::bend::{bend_on, read_bend};
+use crate::boundary::bend::{bend_on, read_bend, with_bend};
 use crate::boundary::error::bad_input;
 use crate::boundary::value::{object, read, read_ifs};
 
@@ -41,21 +41,22 @@ pub fn bend_facts(
 ) -> Result<JsValue, JsValue> {
     let ifs = read_ifs(&ifs)?;
     let (_, settings, _) = read_bend(&bend)?;
-    let bend = bend_on(ifs.maps(), &bend)?;
-    let continuity = match bend.continuity() {
-        Continuity::Corners => "corners",
-        Continuity::Splat => "splat",
-        Continuity::Average => "average",
-        Continuity::Published => "published",
-        Continuity::Raw | Continuity::Auto => "raw",
-    };
-    Ok(object(&[
-        ("continuity", continuity.into()),
-        ("kb", settings.kb.min(bend.ke()).into()),
-        ("ke", bend.ke().into()),
-        ("deepest", (bend.deepest() as f64).into()),
-        ("reach", bend.reach().into()),
-    ]))
+    with_bend(ifs.maps(), &bend, |bend| {
+        let continuity = match bend.continuity() {
+            Continuity::Corners => "corners",
+            Continuity::Splat => "splat",
+            Continuity::Average => "average",
+            Continuity::Published => "published",
+            Continuity::Raw | Continuity::Auto => "raw",
+        };
+        Ok(object(&[
+            ("continuity", continuity.into()),
+            ("kb", settings.kb.min(bend.ke()).into()),
+            ("ke", bend.ke().into()),
+            ("deepest", (bend.deepest() as f64).into()),
+            ("reach", bend.reach().into()),
+        ]))
+    })
 }
 
 /// Where `count` times `count` points of the mesh go, x0, y0, x1, y1, .. row by row from the lower left: the display

@@ -4,7 +4,7 @@ use frond_render::rasterize_bent;
 use js_sys::{Reflect, Uint8ClampedArray};
 use wasm_bindgen::prelude::*;
 
-use crate::boundary::bend::bend_on;
+use crate::boundary::bend::with_bend;
 use crate::boundary::picture::picture;
 use crate::boundary::value::read_ifs;
 
@@ -17,10 +17,9 @@ pub fn rasterize(
 ) -> Result<Uint8ClampedArray, JsValue> {
     let ifs = read_ifs(&ifs)?;
     match Reflect::get(&options, &"bend".into()).ok().filter(JsValue::is_object) {
-        Some(bend) => {
-            let bend = bend_on(ifs.maps(), &bend)?;
-            picture(options, |options| rasterize_bent(&ifs, &bend, options))
-        }
+        Some(bend) => with_bend(ifs.maps(), &bend, |bend| {
+            picture(options, |options| rasterize_bent(&ifs, bend, options))
+        }),
         #[cfg(feature = "compute")]
         None => picture(options, |options| frond_render::rasterize_unbent(&ifs, options)),
         // What draws the colours of pieces at rest is in the other module.

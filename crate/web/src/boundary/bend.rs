@@ -1,5 +1,8 @@
 //! Bends: fractal deformation from JavaScript.
 
+use std::cell::RefCell;
+
+use frond_core::Affine2;
 use frond_deform::{Bend, BendError, Continuity, Mesh, Roughness, Settings, Spin, Tint};
 use glam::DVec2;
 use serde::Deserialize;
@@ -99,7 +102,48 @@ pub(crate) fn of_bend(error: &BendError) -> JsValue {
 
 /// A bend object on a shape.
 #[cfg_attr(not(feature = "bend"), expect(dead_code, reason = "a renderer has its maps from elsewhere"))]
-pub(crate) fn bend_on(maps: &[frond_core::Affine2], value: &JsValue) -> Result<Bend, JsValue> {
-    let (mesh, settings, tint) = read_bend(value)?;
+pub(crate) fn bend_on(maps: &[Affine2], value: &JsValue) -> Result<Bend, JsValue> {
+    make(maps, &PlainBend::read(value)?)
+}
+
+fn make(maps: &[Affine2], plain: &PlainBend) -> Result<Bend, JsValue> {
+    let (mesh, settings, tint) = plain.parts()?;
     Bend::new(maps, mesh, settings, tint).map_err(|error| of_bend(&error))
+}
+
+/// The bend that was asked for last, and what it was made from.
+struct Last {
+    maps: Vec<Affine2>,
+    plain: PlainBend,
+    bend: Bend,
+}
+
+thread_local! {
+    static LAST: RefCell<Option<Last>> = const { RefCell::new(None) };
+}
+
+/// Does something with a bend object on a shape. The bend is kept for the next call: while control points are dragged,
+/// nothing else of it changes, and what hangs on the shape alone takes longest to make.
+#[cfg_attr(not(feature = "bend"), expect(dead_code, reason = "a renderer keeps its bend itself"))]
+pub(crate) fn with_bend<T>(
+    maps: &[Affine2],
+    value: &JsValue,
+    run: impl FnOnce(&Bend) -> Result<T, JsValue>,
+) -> Result<T, JsValue> {
+    let plain = PlainBend::read(value)?;
+    // What is right in the mesh is looked at in any case.
+    plain.parts()?;
+    // Taken out while it is in use: what fails leaves none behind.
+    let last = LAST.take().filter(|last| last.maps == maps && last.plain.same_but_moved(&plain));
+    let mut last = match last {
+        Some(last) => last,
+        None => Last { maps: maps.to_vec(), plain: plain.clone(), bend: make(maps, &plain)? },
+    };
+    if last.plain != plain {
+        last.bend.set_mesh(&plain.displacements()).map_err(|error| of_bend(&error))?;
+        last.plain = plain;
+    }
+    let done = run(&last.bend);
+    LAST.set(Some(last));
+    done
 }
