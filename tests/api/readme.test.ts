@@ -1,4 +1,4 @@
-/** The code of the READMEs, and the types that the package brings: compiled strictly, by whom installs it, and run. */
+/** The code of README, docs and the package's README, and the types that the package brings: compiled strictly, and run. */
 import { spawnSync } from "node:child_process";
 import { mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -17,7 +17,7 @@ beforeAll(async () => {
 
 afterAll(() => all.drop());
 
-/** Code that stands in a README, in order: what is between its fences, or between the tags of its scripts. */
+/** The code of a paper, in order: what is between its fences, or between the tags of its scripts. */
 function blocks(file: string): string[] {
   const text = readFileSync(join(root, file), "utf8");
   const found = [...text.matchAll(/^```(js|html)\n([\s\S]*?)^```$/gm)];
@@ -35,11 +35,20 @@ const ofPackage = (code: string) =>
 const installed = (code: string) =>
   code.replace(/"\.\/(?:node_modules\/frond-ifs|frond)\/frond\.js"/, '"frond-ifs/draw"');
 
-const SAMPLES = ["README.md", "crate/xtask/src/package/entries/README.md"].flatMap((file) =>
+/** Whatever has code for the package; that of `docs/embed.md` is run by `tests/hosts`. */
+const PAPERS = [
+  "README.md",
+  ...readdirSync(join(root, "docs"))
+    .filter((file) => file.endsWith(".md") && file !== "embed.md")
+    .map((file) => `docs/${file}`),
+  "crate/xtask/src/package/entries/README.md",
+];
+
+const SAMPLES = PAPERS.flatMap((file) =>
   blocks(file)
     .filter(ofPackage)
     .map((code, i) => ({
-      name: `${file.startsWith("crate") ? "package" : "readme"}-${i + 1}`,
+      name: `${file.replace(/\.md$/, "").replaceAll("/", "-")}-${i + 1}`,
       code: installed(code),
     })),
 );
@@ -70,7 +79,7 @@ const WAYS = {
   nodenext: { module: "NodeNext", moduleResolution: "nodenext" },
 };
 
-describe("the READMEs", () => {
+describe("README, docs and the package's README", () => {
   it("have code for the package", () => {
     expect(SAMPLES.length).toBeGreaterThanOrEqual(7);
   });
