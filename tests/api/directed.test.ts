@@ -2,7 +2,7 @@ import { readFile } from "node:fs/promises";
 import { beforeAll, describe, expect, it } from "vitest";
 import init, * as directed from "../../www/pkg/frond-directed.js";
 
-/** What README.md promises of `frond-ifs/directed`. */
+/** What docs/package.md promises of `frond-ifs/directed`. */
 const PROMISED = `directedPresets outlineShape directedFacts directedAttractor rasterizeDirected directedConnectedness DirectedLocus
   matchDirected interpolateDirected certifyDirected digitShape gridIntersection`;
 

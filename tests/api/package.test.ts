@@ -4,7 +4,7 @@ import init, * as frond from "../../www/pkg/index.js";
 
 const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.meta.url));
 
-/** What README.md promises of the package's first entry. */
+/** What docs/package.md promises of the package's first entry. */
 const PROMISED = `presets validate attractor rasterize bounds connectedness certificate connectedCertificate checkCertificate indexBuffer
   barnsleyTest pair interpolate halfTurns locus LocusTiles planPath planPathIn checkPath certifyPath candidates rateCandidate routes ways
   familyMaps criticalScale FamilyTiles PathSearch conjugate polar encodeScene decodeScene defaultScene settleLocus settleFamily

@@ -14,6 +14,7 @@ const OLDEST_NODE: (u32, u32) = (20, 19);
 #[derive(Clone, Copy)]
 pub enum Tool {
     Biome,
+    Knip,
     Playwright,
     Tsc,
     Vite,
@@ -41,6 +42,7 @@ impl Tool {
     fn script(self) -> PathBuf {
         let script = match self {
             Self::Biome => "@biomejs/biome/bin/biome",
+            Self::Knip => "knip/bin/knip.js",
             Self::Playwright => "@playwright/test/cli.js",
             Self::Tsc => "typescript/bin/tsc",
             Self::Vite => "vite/bin/vite.js",

@@ -105,6 +105,13 @@ const CHECKS: &[Check] = &[
     },
     Check {
         group: "web",
+        name: "knip",
+        what: "no file, export or package that nobody uses",
+        set_up: wasm::build,
+        work: Work::All(knip),
+    },
+    Check {
+        group: "web",
         name: "vitest",
         what: "tests of the page's parts",
         set_up: wasm::build,
@@ -379,6 +386,10 @@ fn biome() -> Outcome {
     run(&mut Tool::Biome.command("check --error-on-warnings .")).map_err(|problem| {
         format!("{problem}\n`npm run format` puts right what can be put right without thinking.").into()
     })
+}
+
+fn knip() -> Outcome {
+    run(&mut Tool::Knip.command("--no-progress"))
 }
 
 fn vitest(names: &[String]) -> Outcome {

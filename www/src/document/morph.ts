@@ -8,7 +8,7 @@ import { pieceColours, ranked } from "./colours";
 import { inGesture, scene } from "./scene";
 import { standIn } from "./stand-in";
 
-export { timesOf, uvAt } from "#geometry/path";
+export { uvAt } from "#geometry/path";
 
 /** What is edited: the maps of one end, or, taken in hand, the whole shape. The stage shows that shape alone. */
 interface Selection {

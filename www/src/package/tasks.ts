@@ -119,7 +119,5 @@ export async function solidPixels(
   }
 }
 
-export type Tasks = typeof tasks;
-
 /** The inside of a worker. */
 export const performerFrom = (sources: Sources) => performerOf(tasks, async () => ({ sources }));

@@ -5,7 +5,7 @@ import { tool } from "../tool";
 import { deformation } from "./bend";
 import { aspect, haveSample, mapsOfRectangle, ownPicture, type Photograph, photograph } from "./photograph";
 
-export { aspect, ownPicture, type Photograph, photograph, showPicture } from "./photograph";
+export { ownPicture, type Photograph, photograph, showPicture } from "./photograph";
 
 const subject = computed(() => deformation.value.subject);
 const parts = computed(() => deformation.value.parts);

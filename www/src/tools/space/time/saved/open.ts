@@ -7,10 +7,6 @@ import { pauseSpace } from "../clock";
 import { type Kept, MOST_BYTES, readSaved, type SavedFrames } from "./saved";
 import { keysOf, madeOf } from "./saved-frames";
 
-/** Whether a file is to be read here, by its name. */
-export const isAnimation = ({ name, type }: Pick<File, "name" | "type">): boolean =>
-  type === "application/json" || /\.json$/i.test(name);
-
 /** Asks for a file that the export saved, and opens it: one step to undo. */
 export function openAnimation(): void {
   const input = document.createElement("input");
