@@ -7,6 +7,7 @@ import { licenses } from "./www/build/licenses.ts";
 import { notation } from "./www/build/notation.ts";
 import { pages as sitePages } from "./www/build/pages.ts";
 import { securityPolicy } from "./www/build/policy.ts";
+import { bill } from "./www/build/sbom.ts";
 
 /** Pages of the site, each of which becomes a file of its own in dist/. */
 const pages = ["index.html", "embed.html", "figures/index.html"].filter((page) => existsSync(page));
@@ -76,7 +77,7 @@ export default defineConfig({
   appType: "mpa",
   resolve: { tsconfigPaths: true },
   publicDir: "www/public",
-  plugins: [notation, classNames, keptStyles, sitePages, licenses, securityPolicy],
+  plugins: [notation, classNames, keptStyles, sitePages, licenses, bill, securityPolicy],
   css: { modules: { generateScopedName: scopedName } },
   worker: { format: "es" },
   build: {

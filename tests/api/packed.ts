@@ -16,6 +16,7 @@ import { fileURLToPath } from "node:url";
 import { build } from "vite";
 import { expect } from "vitest";
 import { crates, licenseText, scripts } from "../../www/build/licenses";
+import { sbom } from "../../www/build/sbom";
 
 export const root = fileURLToPath(new URL("../..", import.meta.url));
 
@@ -58,6 +59,7 @@ export async function packed() {
   if (!existsSync(join(folder, "frond-view.js"))) writeFileSync(join(folder, "frond-view.js"), "void 0;\n");
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(root, name), join(folder, name));
   writeFileSync(join(folder, "licenses.txt"), licenseText([...crates(), ...scripts()]));
+  writeFileSync(join(folder, "sbom.cdx.json"), sbom());
   execFileSync(process.execPath, [join(root, "www/build/package/finish.mjs"), folder]);
   const pack = ["pack", "--json", "--pack-destination", scratch];
   execFileSync("npm", pack, { cwd: folder, stdio: ["ignore", "ignore", "ignore"] });

@@ -63,6 +63,7 @@ describe("the packed package", () => {
       "LICENSE-MIT",
       "LICENSE-APACHE",
       "licenses.txt",
+      "sbom.cdx.json",
     ];
     const there = new Set(files.trim().split("\n"));
     expect(wanted.filter((file) => !there.has(`package/${file}`))).toEqual([]);

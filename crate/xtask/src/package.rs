@@ -51,7 +51,7 @@ pub fn write() -> Outcome {
     for file in packaged() {
         fs::copy(root().join("www/pkg").join(&file), package.join(&file))?;
     }
-    for file in ["frond-view.js", "licenses.txt"] {
+    for file in ["frond-view.js", "licenses.txt", "sbom.cdx.json"] {
         fs::copy(root().join("dist").join(file), package.join(file))?;
     }
     // Where its configuration has them written.
