@@ -34,11 +34,13 @@
 //!    that it begins with; `search` trades numbers between knots and copies: `candidates` proposes copies, `choice`
 //!    says which `moves` are made, `refine` is least squares through the attractor (`normal` solves them);
 //!    `final_refine` ends it, `judge` keeps what is no worse than the polyline.
+//!    `spline`: another form, of corners and parabolas, and its fit within so many bytes.
 //! 5. `curve_morph`: two curves matched by dynamic time warping (`dtw`), given as many knots each (`matching`,
 //!    `knot_ring`).
 //! 6. `segment`: a leaf in a picture. A channel, Otsu's threshold, morphology, connected components, the contour; where
 //!    the ground has shade on it, colours and a random walk.
-//!    `read`: outlines and series out of files.
+//!    `read`: outlines and series out of files. `series`: a series, smoothed and brought to few points.
+//! 7. `grown`: leaves that a program grows, to try all this on. `preset`: closed curves to begin with.
 //!
 //! # What it stands on
 //!

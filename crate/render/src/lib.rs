@@ -44,7 +44,8 @@
 //!    samples of a connectedness locus.
 //!
 //! Each shader in `shader/` has a twin of the same name and the same arithmetic, and tests that compare them. The twin
-//! of `locus.wgsl` is in crate/locus.
+//! of `locus.wgsl` is in crate/locus. `screen.wgsl` and `solid/kept.wgsl` have none: they are what several shaders
+//! share.
 //!
 //! # What it stands on
 //!

@@ -1,9 +1,9 @@
 //! Frond for JavaScript: the one crate that exports to the web.
 //!
-//! The functions are plain: objects in, objects out, typed in `api.d.ts`. Maps are rows
-//! `[a, b, c, d, e, f]`, an IFS is `{ maps, probabilities? }`. What goes wrong is thrown as an error with a
-//! stable `code` and a `message` that says what to do. [`LocusTiles`] and `Renderer` are handles: call
-//! `free()` when they are no longer needed.
+//! The functions take plain objects and return plain objects. `api.d.ts` and `fit/types.d.ts` have their types. Maps
+//! are rows `[a, b, c, d, e, f]`, in space rows of twelve numbers; an IFS is `{ maps, probabilities? }`. What goes
+//! wrong is thrown as an error with a stable `code` and a `message` that says what to do. Classes, such as
+//! [`LocusTiles`] and `Renderer`, are handles: call `free()` when they are no longer needed.
 //!
 //! # In which order to read it
 //!
@@ -13,8 +13,9 @@
 //!    folder or a file for each of the other modules, a file for what belongs together.
 //! 4. `renderers`: the stages of `frond-render` on a canvas, for WebGPU and for WebGL2.
 //!
-//! Each folder is a feature of the crate, and `cargo xtask build` makes a module of each, and one of `compute` and
-//! `bend` together: crate/xtask/src/modules.rs names them.
+//! Each of these but `boundary` is a feature of the crate; `text_file` is two (`text`, `svg`), and so are `renderers`
+//! (`webgpu`, `webgl2`). `cargo xtask build` makes a module of each feature, and one of `compute` and `bend` together:
+//! crate/xtask/src/modules.rs names them.
 //!
 //! [`LocusTiles`]: crate::LocusTiles
 #![allow(clippy::missing_errors_doc)]

@@ -48,7 +48,7 @@ Usage: cargo xtask <command>
       sources and issues are.
 
   test [name ..] [-- test ..]
-      Run every check but the last, or those whose group or step has one of these names:
+      Run every check but those that run only when named, or those whose group or step has one of these names:
 TESTS
       After -- name the tests that shaders, vitest, webgl2, webgpu and phone are to run, e.g.
       `cargo xtask test webgl2 -- keys.spec.ts`.

@@ -28,8 +28,8 @@ const MOST_SVG_BYTES: usize = 300_000;
 
 /// Weighs dist/ and fails where it is too heavy.
 ///
-/// What comes after the first picture is only weighed: the workers' module, which decides and proves, those of what
-/// bends, of the fit, of space and of files. That of drawings has a limit, since it is another's library.
+/// The first picture, the renderers, the first script and the script of the element have limits. What comes after the
+/// first picture is only weighed, but for the module that reads drawings: it is another's library, which may grow.
 pub fn gate() -> Outcome {
     let dist = root().join("dist");
     let weigh =

@@ -63,7 +63,7 @@ export interface Along {
   worst: Worst | null;
 }
 
-/** Where the engine puts its answers. Views read the signals below. */
+/** Where the jobs of this room put their answers. Views read the signals below. */
 export const publish = {
   locus: signal<LocusResult | null>(null),
   window: signal<WindowResult | null>(null),

@@ -26,8 +26,8 @@ const VOLUME_THAT_FILLS: f64 = 1.0 + 1e-12;
 /// [`decide`](crate::decide) does in the plane.
 ///
 /// `epsilon` is relative to the diameter of the attractor; `budget` limits the pairs of pieces looked at (20,000 is
-/// plenty for a few maps). `Disconnected` is proved, rounding reckoned with; `Connected` only where the volumes of
-/// two maps leave no room between their pieces. The answer depends on the arguments alone.
+/// plenty for a few maps). `Disconnected` is proved, rounding errors included. `Connected` is the answer only for one
+/// map, and for two maps whose volumes leave no room between their pieces. The answer depends on the arguments alone.
 pub fn decide3(maps: &[Affine3], epsilon: f64, budget: usize, scratch: &mut Scratch3) -> Sample {
     if let Some(magnification) = Magnification::of3(maps) {
         return decide3(&magnification.magnify3(maps), epsilon, budget, scratch);
