@@ -1,4 +1,4 @@
-/** The code of README, docs and the package's README, and the types that the package brings: compiled strictly, and run. */
+/** The code of README, docs and the package, and the types that the package brings: compiled strictly, and run. */
 import { spawnSync } from "node:child_process";
 import { mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
