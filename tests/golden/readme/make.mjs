@@ -1,4 +1,4 @@
-// Makes the README's pictures from the running page: `cargo xtask serve` in one terminal, then
+// Makes the pictures of README and docs from the running page: `cargo xtask serve` in one terminal, then
 // `node tests/golden/readme/make.mjs http://localhost:5173/` in another.
 import { fileURLToPath } from "node:url";
 import { chromium } from "@playwright/test";
