@@ -91,6 +91,8 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     rolldownOptions: {
       input: pages,
+      // A message is written where it is said, so that a chunk has its own alone.
+      optimization: { inlineConst: { mode: "all", pass: 1 } },
       output: {
         // The first script names all the others: short names make it 0.8 kB smaller. Tests take pages of
         // figures and modules away by name, and the size gate weighs modules by it.

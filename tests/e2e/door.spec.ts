@@ -52,7 +52,7 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   const scene = await studio.scene();
   expect([scene.tool ?? "morph", scene.t, scene.b.preset]).toEqual(["morph", 0, "koch"]);
   await expect.poll(async () => (await studio.said()).join()).toContain("negative");
-  await page.getByRole("button", { name: "As B instead" }).click();
+  await page.getByRole("button", { name: "Open as B instead" }).click();
   await expect.poll(async () => (await studio.scene()).b.name).toBe("binary");
   expect((await studio.scene()).a.preset).toBe("gasket");
   await page.getByRole("button", { name: "Undo", exact: true }).first().click();
@@ -83,7 +83,7 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   await arrive(page, "drop", "first.ifs", BINARY, others);
   const dialog = page.getByRole("dialog", { name: "2 files" });
   await expect(dialog).toContainText("2 systems are in it");
-  await expect.poll(async () => (await studio.said()).join()).toContain("Left out: letter.pdf.");
+  await expect.poll(async () => (await studio.said()).join()).toContain("Not opened: letter.pdf.");
   await dialog.getByRole("button", { name: /other/ }).click();
   await expect.poll(async () => (await studio.scene()).a.name).toBe("other");
 });

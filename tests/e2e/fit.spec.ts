@@ -134,7 +134,7 @@ test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and 
 
   await test.step("the link", async () => {
     await page.getByRole("button", { name: "Share", exact: true }).click();
-    await page.getByRole("dialog", { name: "Share" }).getByRole("textbox", { name: "The link" }).waitFor();
+    await page.getByRole("dialog", { name: "Share" }).getByRole("textbox", { name: "Link" }).waitFor();
     const fragment = new URL(page.url()).hash.slice(1);
     await tool.open(fragment);
     await expect(card(page)).toHaveText("leaf");

@@ -19,12 +19,12 @@ test("a first visit sees all of the way once and is told what it is", async ({ p
   await visitFirst(page);
   const welcome = page.getByRole("complementary", { name: "Welcome" });
   await expect(welcome).toContainText("Frond turns one fractal into another without letting it fall apart.");
-  await expect(welcome.getByRole("status")).toHaveText("Each colour is a smaller copy of the whole.");
+  await expect(welcome.getByRole("status")).toHaveText("Each colour is a smaller copy of the full shape.");
   const top = () => page.locator(".stage").evaluate((stage) => stage.getBoundingClientRect().top);
   const before = await top();
   await expect.poll(() => t(page), { timeout: 30_000 }).toBe(1);
   await expect(page.getByRole("button", { name: "Play" })).toBeVisible();
-  await expect(welcome.getByRole("status")).toHaveText("It is Gasket now. Press play to see it again.");
+  await expect(welcome.getByRole("status")).toHaveText("Now it is Gasket. Press play to watch it again.");
   expect(await top()).toBe(before);
   await welcome.getByRole("button", { name: "Close" }).click();
   await expect(welcome).toHaveCount(0);
@@ -55,7 +55,7 @@ test("whoever wants less motion sees none, and who follows a link is told what i
   await expect(page.getByRole("complementary", { name: "Welcome" })).toBeVisible();
   expect(await t(page)).toBe(0);
   await expect(page.getByRole("complementary", { name: "Welcome" }).getByRole("status")).toHaveText(
-    "Press play: Dragon of three turns into Gasket.",
+    "Press play to watch Dragon of three turn into Gasket.",
   );
   await page.evaluate(() => sessionStorage.removeItem("visited"));
   await page.goto("about:blank");
@@ -64,7 +64,7 @@ test("whoever wants less motion sees none, and who follows a link is told what i
   await page.evaluate(() => window.frond?.idle());
   expect(await t(page)).toBe(0.3);
   // Its steps are about what Frond begins with, and what was sent is there to go back to.
-  await page.getByRole("button", { name: "Show me round" }).click();
+  await page.getByRole("button", { name: "Take the tour" }).click();
   await expect(page.getByRole("heading", { name: "Press play" })).toBeFocused();
   await expect(page.getByRole("button", { name: /^Shape A: Dragon of three/ })).toBeVisible();
   await page.goBack();
@@ -102,40 +102,40 @@ test("the round leads over the real controls, by keyboard, and goes on where it 
 }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   await visitFirst(page);
-  await page.getByRole("button", { name: "Show me round" }).click();
+  await page.getByRole("button", { name: "Take the tour" }).click();
   const card = page.getByRole("complementary", { name: "Press play" });
   await expect(card.getByRole("heading", { name: "Press play" })).toBeFocused();
   await page.getByRole("button", { name: "Play" }).click();
   await expect(card.getByText("Done.")).toBeVisible();
   await page.getByRole("button", { name: "Pause" }).click();
   await card.getByRole("button", { name: "Next" }).click();
-  await expect(page.getByRole("heading", { name: "Now the straight way" })).toBeFocused();
+  await expect(page.getByRole("heading", { name: "Now try the straight path" })).toBeFocused();
   await page.getByRole("radio", { name: "Straight" }).check({ force: true });
   await expect(page.getByText("Done.")).toBeVisible();
   await page.keyboard.press("Escape");
-  await expect(page.getByRole("heading", { name: "Now the straight way" })).toHaveCount(0);
+  await expect(page.getByRole("heading", { name: "Now try the straight path" })).toHaveCount(0);
   // Help has it still.
   await page.keyboard.press("?");
-  await page.getByRole("dialog").getByRole("button", { name: "Show me round" }).click();
-  await expect(page.getByRole("heading", { name: "Now the straight way" })).toBeFocused();
+  await page.getByRole("dialog").getByRole("button", { name: "Take the tour" }).click();
+  await expect(page.getByRole("heading", { name: "Now try the straight path" })).toBeFocused();
   // So does a page that was loaded anew in the midst of it.
   await page.reload();
-  await expect(page.getByRole("heading", { name: "Now the straight way" })).toBeFocused();
-  for (const title of ["The map says why", "Go round", "Ask why"]) {
+  await expect(page.getByRole("heading", { name: "Now try the straight path" })).toBeFocused();
+  for (const title of ["The locus shows why", "Go around", "Ask why"]) {
     await page.getByRole("button", { name: "Next" }).click();
     await expect(page.getByRole("heading", { name: title })).toBeFocused();
   }
   await page.getByTestId("verdict").click();
   await expect(page.getByText("Done.")).toBeVisible();
-  await page.getByRole("link", { name: "On to the lessons" }).click();
+  await page.getByRole("link", { name: "Go to the lessons" }).click();
   await expect(page.getByRole("heading", { level: 1, name: "Learn" })).toBeVisible();
 });
 
 test("help explains the words, and leads to their lessons", async ({ page, studio }) => {
   await studio.open();
   await page.keyboard.press("?");
-  await page.getByText("What the words mean").click();
-  await page.getByRole("link", { name: "The lesson on “gap”" }).click();
+  await page.getByText("Glossary").click();
+  await page.getByRole("link", { name: "Lesson on “gap”" }).click();
   await expect(page.getByRole("heading", { level: 1, name: "Why three differs from two" })).toBeVisible();
   await page.goBack();
   await expect(page.getByRole("dialog")).toHaveCount(0);

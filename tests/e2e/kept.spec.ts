@@ -43,8 +43,8 @@ test("a bare address offers what was made, a first visit and a link do not", asy
   await expect.poll(async () => (await studio.scene()).path).toEqual(made);
 
   await studio.open();
-  await expect(studio.toasts).toContainText("Go on with your Lévy curve to Twin-dragon?");
-  await studio.toasts.getByRole("button", { name: "Go on" }).click();
+  await expect(studio.toasts).toContainText("Continue with Lévy curve to Twin-dragon?");
+  await studio.toasts.getByRole("button", { name: "Continue" }).click();
   await expect.poll(async () => (await studio.scene()).a.preset).toBe("levy");
   await expect(studio.toasts).not.toContainText(GO_ON);
 });
@@ -82,6 +82,6 @@ test("without a store the page says so once, and works", async ({ studio, page }
   await studio.open();
   await page.getByRole("radio", { name: "Drawn" }).check();
   await page.getByRole("button", { name: "Add way point" }).click();
-  await expect(studio.toasts).toContainText("Your work is not kept.");
+  await expect(studio.toasts).toContainText("Your work is not being saved.");
   await expect(page).toHaveURL(/path=/);
 });

@@ -44,8 +44,8 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   expect(shared).toBe(page.url().replace("#", "?play=once#"));
   await expect(sheet.getByRole("img", { name: "QR code of the link" })).toBeVisible();
   // Another link plays from the beginning.
-  await sheet.getByRole("radio", { name: "At the beginning" }).check({ force: true });
-  await sheet.getByRole("radio", { name: "Plays on" }).check({ force: true });
+  await sheet.getByRole("radio", { name: "The beginning" }).check({ force: true });
+  await sheet.getByRole("radio", { name: "Loop" }).check({ force: true });
   await sheet.getByRole("button", { name: "Copy", exact: true }).click();
   await expect(sheet.getByText("Link copied.")).toBeVisible();
   const playing = await page.evaluate(() => navigator.clipboard.readText());

@@ -21,13 +21,13 @@ test("light and dark: the page and the picture follow the system, and the choice
   await expect.poll(ground).toBe("dark");
   expect(await colours()).toEqual(palette("dark").slice(0, 3).sort());
 
-  await page.getByRole("button", { name: "Colours follow the system; change" }).click();
+  await page.getByRole("button", { name: "Theme: system; change" }).click();
   await expect.poll(ground).toBe("light");
   expect(await colours()).toEqual(palette("light").slice(0, 3).sort());
   await page.reload();
   await studio.time.waitFor();
   expect(await ground()).toBe("light");
-  await page.getByRole("button", { name: "Light colours; change" }).click();
+  await page.getByRole("button", { name: "Theme: light; change" }).click();
   await page.emulateMedia({ colorScheme: "light" });
   await expect.poll(ground).toBe("dark");
 });
@@ -40,9 +40,9 @@ test("a link brings its ground along where that is wanted, into the page, a fram
   await studio.open("a=gasket&b=gasket");
   await page.getByRole("button", { name: "Share", exact: true }).click();
   const sheet = page.getByRole("dialog", { name: "Share" });
-  const address = sheet.getByRole("textbox", { name: "The link" });
+  const address = sheet.getByRole("textbox", { name: "Link" });
   await expect(address).not.toHaveValue(/theme=/);
-  await sheet.getByRole("radio", { name: "Dark, as here" }).check();
+  await sheet.getByRole("radio", { name: "Dark" }).check();
   await expect(address).toHaveValue(/[?&]theme=dark#/);
   // "As here" goes with the page, which is light below.
   const link = await address.inputValue();

@@ -21,7 +21,7 @@ async function expectWhole({ page, time }: Studio): Promise<void> {
   await expect(page.locator(".locus-progress")).toHaveCount(0);
   const place = page.getByRole("slider", { name: "Place on the path" });
   await time.press("Home");
-  await expect(place).toHaveAttribute("aria-valuetext", /^0% of the way, (in one piece|looks whole)/);
+  await expect(place).toHaveAttribute("aria-valuetext", /^0% of the path, (in one piece|looks whole)/);
   await time.press("End");
   await expect(place).toHaveAttribute("aria-valuetext", /^100% of the way, (in one piece|looks whole)/);
 }

@@ -11,6 +11,7 @@ import { outOfView, view, zoom } from "#stage/view";
 import { withKey } from "#ui/commands";
 import { workers } from "#workers/pool/engine";
 import { Glyph } from "./glyphs";
+import * as messages from "./messages";
 
 const zoomWords = computed(() => {
   // A quarter more is a quarter more, whatever rounding made of it.
@@ -27,9 +28,9 @@ export function Readout() {
       {!selection.value && tool.value === "morph" && (
         <span class="readout-uv">
           {standIn.value
-            ? `${(100 * scene.value.t).toFixed(0)}% of the way`
+            ? messages.partOfThePath((100 * scene.value.t).toFixed(0))
             : locusView.value.family === "morph"
-              ? `turn u ${fixed(x)}, move v ${fixed(y)}`
+              ? messages.turnAndMove(fixed(x), fixed(y))
               : `s ${fixed(x)} ${y < 0 ? "−" : "+"} ${fixed(Math.abs(y))} i`}
         </span>
       )}
@@ -38,14 +39,14 @@ export function Readout() {
           {countWords(picture.value.points)} {picture.value.points === 1 ? "point" : "points"}
         </span>
       )}
-      {outOfView.value && <span class="readout-points">part is out of view</span>}
-      {!workers.value.available && <span>no workers</span>}
+      {outOfView.value && <span class="readout-points">{messages.partOutOfView}</span>}
+      {!workers.value.available && <span>{messages.noWorkers}</span>}
       <span data-testid="zoom">{zoomWords.value}</span>
       <button
         type="button"
         class="button quiet icon-button"
-        aria-label="Fit to the stage"
-        title={withKey("Fit to the stage", "fit")}
+        aria-label={messages.fitToStage}
+        title={withKey(messages.fitToStage, "fit")}
         disabled={view.value === null && !outOfView.value}
         onClick={fitStage}
       >

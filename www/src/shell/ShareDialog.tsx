@@ -17,30 +17,31 @@ import { frond } from "#wasm/core";
 import { link } from "./actions";
 import { moving } from "./moving";
 import { AUTOPLAY, type Moves, themeOf } from "./publish/folder";
+import * as messages from "./publish/messages";
 import { Publish } from "./publish/Publish";
 import { seenOf } from "./publish/seen";
 import css from "./share.module.css";
 import { openedTool } from "./tools";
 
 const STARTS = [
-  { value: "here", label: "Where it stands" },
-  { value: "first", label: "At the beginning" },
+  { value: "here", label: messages.thisMoment },
+  { value: "first", label: messages.beginning },
 ] as const;
 
 const MOVES: readonly { value: Moves; label: string; description: string }[] = [
-  { value: "once", label: "Moves once", description: "There and back, and ends as it is sent" },
-  { value: "on", label: "Plays on", description: "Until somebody stops it" },
-  { value: "still", label: "Stands still", description: "Until somebody presses play" },
+  { value: "once", label: messages.playOnce, description: messages.playsThereAndBack },
+  { value: "on", label: messages.loop, description: messages.untilSomeonePauses },
+  { value: "still", label: messages.paused, description: messages.untilSomeonePressesPlay },
 ];
 const QUERY: Record<Moves, string> = { once: "?play=once", on: "?play", still: "?play=still" };
 
 type Grounds = "page" | "here";
 const GROUNDS = (isDark: boolean): readonly { value: Grounds; label: string; description: string }[] => [
-  { value: "page", label: "As the reader's page", description: "Light or dark as each reader has chosen" },
+  { value: "page", label: messages.readersTheme, description: messages.lightOrDarkAs },
   {
     value: "here",
-    label: isDark ? "Dark, as here" : "Light, as here",
-    description: "The same ground and colours for all who open it",
+    label: isDark ? messages.dark : messages.light,
+    description: messages.sameBackgroundAndColours,
   },
 ];
 
@@ -71,26 +72,26 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
   }, [ground]);
   if (address === null) {
     return (
-      <Dialog title="Share" onClose={close}>
-        <p>No link can hold this document. Make it simpler, or scale what is very large or very small.</p>
+      <Dialog title={messages.share} onClose={close}>
+        <p>{messages.noLink}</p>
       </Dialog>
     );
   }
   if (exportOpen.value === "publish" && still)
     return <Publish address={address} moves={moves} still={still} onClose={leave("publish", "share")} />;
   return (
-    <Dialog title="Share" about={seen} onClose={close}>
+    <Dialog title={messages.share} about={seen} onClose={close}>
       <div class={css["share"]}>
         <div class={css["share-link"]}>
           <input
             class={css["address"]}
-            aria-label="The link"
+            aria-label={messages.link}
             readOnly
             value={address}
             onFocus={(event) => event.currentTarget.select()}
           />
-          <Button kind="primary" icon="copy" onClick={() => void copy("Link", address).then(setTold)}>
-            Copy
+          <Button kind="primary" icon="copy" onClick={() => void copy(messages.link, address).then(setTold)}>
+            {messages.copy}
           </Button>
         </div>
         <p class={`hint ${css["share-told"]}`} role="status">
@@ -99,7 +100,7 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
         {openedTool().tool?.timeline && (
           <>
             <ChoiceRow
-              label="It starts"
+              label={messages.startAt}
               options={STARTS}
               value={start}
               onChange={(next) => {
@@ -108,7 +109,7 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
               }}
             />
             <ChoiceRow
-              label="When it is opened"
+              label={messages.whenOpened}
               options={MOVES}
               value={moves}
               onChange={(next) => {
@@ -119,7 +120,7 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
           </>
         )}
         <ChoiceRow
-          label="Light or dark"
+          label={messages.theme}
           options={GROUNDS(dark.value)}
           value={ground}
           onChange={(next) => {
@@ -130,37 +131,37 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
         <QrCode address={address} />
         {"share" in navigator && (
           <div class={css["share-more"]}>
-            <Button onClick={() => void send(address)}>Send …</Button>
+            <Button onClick={() => void send(address)}>{messages.send}</Button>
           </div>
         )}
-        <p class="hint">For a web page of your own:</p>
+        <p class="hint">{messages.forYourOwnWeb}</p>
         <div class={css["share-more"]}>
           <Button
             icon="copy"
-            description="A frame for a page, a blog or a slide: the picture and a slider"
-            onClick={() => void copy("Embed code", frameOf(address)).then(setTold)}
+            description={messages.iframeForPageBlog}
+            onClick={() => void copy(messages.embedCode, frameOf(address)).then(setTold)}
           >
-            Copy embed code
+            {messages.copyEmbedCode}
           </Button>
           <Button
             icon="copy"
-            description="Two lines for a page of one's own: a script, and the element that shows this"
-            onClick={() => void copy("Element", elementOf(address, moves)).then(setTold)}
+            description={messages.twoLinesHtmlScript}
+            onClick={() => void copy(messages.element, elementOf(address, moves)).then(setTold)}
           >
-            Copy element
+            {messages.copyElement}
           </Button>
           {still && (
             <Button
-              description="A folder for any web host: a page with this in it, and its picture"
+              description={messages.readyMadeWebPage}
               onClick={() => {
                 exportOpen.value = "publish";
               }}
             >
-              Publish …
+              {messages.publish}
             </Button>
           )}
           <a class="button" href="./elsewhere.html" target="_blank" rel="noopener">
-            More ways …
+            {messages.moreOptions}
           </a>
         </div>
         <p class={`hint ${css["share-told"]}`} role="status">
@@ -181,21 +182,20 @@ interface Told {
 
 const isForPages = (of: Copied) => of !== "Link";
 
-const CHANGED: Told = { of: "Link", words: "The link has changed: copy it again." };
+const CHANGED: Told = { of: "Link", words: messages.linkHasChangedCopy };
 
 /** What is the same for all who open the link: the background belongs to a picture of space, and else to the page. */
 async function seenWords(same: boolean): Promise<string> {
   if (pictureShown.peek() !== null && ownPicture.peek()) {
-    return "The link holds the bend, and not the picture: that stays here.";
+    return messages.linkContainsDeformationBut;
   }
-  if (same) return "Whoever opens the link sees the same picture.";
-  if (scene.peek().tool !== "space")
-    return "Whoever opens the link sees the same, light or dark as their page is.";
+  if (same) return messages.anyoneWithLinkSees;
+  if (scene.peek().tool !== "space") return messages.anyoneWithLinkSeesThis;
   const { space } = await import("#document/space/space");
   const background = space.peek()?.background;
   return background === undefined || background === "page"
-    ? "Whoever opens the link sees the same shapes, before the colour of their own page."
-    : "Whoever opens the link sees the same picture.";
+    ? messages.anyoneWithLinkSeesSame
+    : messages.anyoneWithLinkSees;
 }
 
 function addressWith(start: "here" | "first", moves: Moves, theme: "light" | "dark" | null): string | null {
@@ -237,22 +237,20 @@ export function elementOf(address: string, moves: Moves): string {
 async function copy(of: Copied, text: string): Promise<Told> {
   try {
     await navigator.clipboard.writeText(text);
-    return { of, words: `${of} copied.` };
+    return { of, words: messages.wasCopied(of) };
   } catch {
-    const instead = isForPages(of)
-      ? "allow this page to use the clipboard, then press again."
-      : "choose the link, and copy it yourself.";
-    return { of, words: `Copying was not allowed here: ${instead}` };
+    const instead = isForPages(of) ? messages.allowClipboard : messages.copyYourself;
+    return { of, words: messages.copyingBlocked(instead) };
   }
 }
 
 async function send(url: string): Promise<void> {
   try {
-    await navigator.share({ title: "Frond", url });
+    await navigator.share({ title: messages.frond, url });
   } catch (problem) {
     // Who changes their mind needs no word of it.
     if (!(problem instanceof DOMException && problem.name === "AbortError")) {
-      notify({ kind: "error", text: `It could not be sent: ${wordsOf(problem)}` });
+      notify({ kind: "error", text: messages.sharingFailed(wordsOf(problem)) });
     }
   }
 }

@@ -9,6 +9,7 @@ import { standIn } from "#document/stand-in";
 import { adoptPath } from "#tools/morph/locus/path/automatic";
 import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
+import * as messages from "./messages";
 import { openedTool } from "./tools";
 
 /** The one link between this page's document and its address. */
@@ -57,6 +58,6 @@ async function fetched<T>(module: () => Promise<T>, use: (module: T) => void | P
   try {
     await use(await module());
   } catch (problem) {
-    notify({ kind: "error", text: `It could not be saved: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.savingFailed(wordsOf(problem)) });
   }
 }

@@ -17,6 +17,7 @@ import { lazily } from "#ui/lazy";
 import { curvesFetched } from "#wasm/curve";
 import { studioHref } from "./actions";
 import { Header } from "./header";
+import * as messages from "./messages";
 import { Notices } from "./Notices";
 import { Readout } from "./Readout";
 import css from "./shell.module.css";
@@ -72,7 +73,7 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
       <aside class="side" aria-label={entry.side}>
         {sheet && (
           <a class={css["back"]} href={sheet}>
-            Back to the class sheet
+            {messages.backToClassSheet}
           </a>
         )}
         {Panel && <Panel />}
@@ -124,7 +125,7 @@ export function fetchAhead(): void {
   ]).then(tried, tried);
 }
 
-const PAGES = { studio: "", figures: "Figures · ", learn: "Learn · " };
+const PAGES = { studio: "", figures: messages.figuresTitle, learn: messages.learnTitle };
 
 type FiguresComponent = ComponentType<Omit<Place, "page"> & { place: Place["page"] }>;
 const figures = signal<FiguresComponent | null>(null);
@@ -146,7 +147,7 @@ function FiguresPage({ page, ...at }: Place) {
       (module) => {
         figures.value = module.Figures;
       },
-      (problem) => notify({ kind: "error", text: `The figures could not be loaded: ${wordsOf(problem)}` }),
+      (problem) => notify({ kind: "error", text: messages.figuresFailed(wordsOf(problem)) }),
     );
   }, []);
   const Figures = figures.value;

@@ -13,6 +13,7 @@ import { Menu, type MenuItem } from "#ui/overlay/Menu";
 import type { Tool as ToolName } from "#wasm/api";
 import { CURVE_FILES, insteadOnStage, printStage, saveCurve, savePicture, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
+import * as messages from "./messages";
 import css from "./shell.module.css";
 import { openedTool, TOOLS } from "./tools";
 
@@ -20,9 +21,9 @@ const FilmChip = lazily(() => import("#film/FilmChip").then((module) => module.F
 
 const NEXT_THEME: Record<Theme, Theme> = { auto: "light", light: "dark", dark: "auto" };
 const THEME_WORDS: Record<Theme, string> = {
-  auto: "Colours follow the system",
-  light: "Light colours",
-  dark: "Dark colours",
+  auto: messages.themeSystem,
+  light: messages.themeLight,
+  dark: messages.themeDark,
 };
 
 /** The bar on top: where one is, and what can be done with the document as a whole. */
@@ -33,15 +34,15 @@ export function Header() {
     <header class="header">
       {/* No link: fragments of the address are documents here. */}
       <button type="button" class={css["skip"]} onClick={skip}>
-        Skip to the {studio ? "picture" : "text"}
+        {messages.skipTo(studio ? "picture" : "text")}
       </button>
       <a class="wordmark" href={studioHref()} onClick={stay}>
         <Mark />
         Frond
       </a>
-      <nav class={css["places"]} aria-label="Places">
+      <nav class={css["places"]} aria-label={messages.places}>
         <Place href="#learn" here={at === "learn"}>
-          Learn
+          {messages.learn}
         </Place>
         {TOOLS.map(({ id, label }) => (
           <ToolPlace key={id} name={id}>
@@ -49,7 +50,7 @@ export function Header() {
           </ToolPlace>
         ))}
         <Place href="#figures" here={at === "figures"}>
-          Figures
+          {messages.figures}
         </Place>
       </nav>
       <PlaceChoice />
@@ -58,18 +59,18 @@ export function Header() {
         {studio && <StudioTools />}
         <Tool
           glyph={theme.value}
-          label={`${THEME_WORDS[theme.value]}; change`}
+          label={messages.changeTheme(THEME_WORDS[theme.value])}
           class="wide"
           onClick={() => setTheme(NEXT_THEME[theme.peek()])}
         />
         {studio && (
-          <button type="button" class="button quiet share" onClick={openShare} aria-label="Share">
+          <button type="button" class="button quiet share" onClick={openShare} aria-label={messages.share}>
             <Glyph name="link" />
-            <span>Share</span>
+            <span>{messages.share}</span>
           </button>
         )}
         <div class={css["narrow-only"]}>
-          <Menu label="More" items={moreItems(studio)} />
+          <Menu label={messages.more} items={moreItems(studio)} />
         </div>
       </div>
     </header>
@@ -87,36 +88,36 @@ function moreItems(studio: boolean): MenuItem[] {
   return [OPEN, RECENT, ...saveItems(), HELP, ...themes];
 }
 
-const OPEN: MenuItem = { label: "Open a file …", icon: "open", onSelect: () => askForFile() };
+const OPEN: MenuItem = { label: messages.openFileItem, icon: "open", onSelect: () => askForFile() };
 
 const openHelp = () => {
   help.value = true;
 };
 
-const HELP: MenuItem = { label: "Help …", onSelect: openHelp };
+const HELP: MenuItem = { label: messages.helpItem, onSelect: openHelp };
 
-const RECENT: MenuItem = { label: "Recent …", onSelect: openRecent };
+const RECENT: MenuItem = { label: messages.recentItem, onSelect: openRecent };
 
 /** The files that what is open can be saved as. */
 function saveItems(): MenuItem[] {
   const items =
-    insteadOnStage.value === "curves" ? curveItems() : [{ label: "Save as PNG", onSelect: savePicture }];
-  items.push({ label: "Print …", onSelect: printStage });
+    insteadOnStage.value === "curves" ? curveItems() : [{ label: messages.saveAsPng, onSelect: savePicture }];
+  items.push({ label: messages.print, onSelect: printStage });
   const { entry, tool } = openedTool();
   if (entry.stage === undefined || tool?.still) {
-    items.push({ label: "Picture of any size …", onSelect: openPicture });
+    items.push({ label: messages.pictureAnySize, onSelect: openPicture });
   }
-  if (tool?.maps && !insteadOnStage.value) items.push({ label: "Maps as text …", onSelect: startExport });
-  if (tool?.MeshDialog) items.push({ label: "Mesh for 3-D printing …", onSelect: openMesh });
+  if (tool?.maps && !insteadOnStage.value) items.push({ label: messages.mapsAsText, onSelect: startExport });
+  if (tool?.MeshDialog) items.push({ label: messages.meshFor3D, onSelect: openMesh });
   if (!tool?.films) return items;
   const done = filmProgress.value;
-  const film = done === null ? "Film …" : `Film, ${Math.floor(100 * done)}% made`;
+  const film = done === null ? messages.filmItem : messages.filmMade(Math.floor(100 * done));
   return [...items, { label: film, icon: "play", onSelect: openFilm }];
 }
 
 function curveItems(): MenuItem[] {
   return CURVE_FILES.map((kind) => ({
-    label: `Save as ${kind.toUpperCase()}`,
+    label: messages.saveAs(kind.toUpperCase()),
     onSelect: () => saveCurve(kind),
   }));
 }
@@ -138,14 +139,14 @@ function Back({ glyph, label }: { glyph: "undo" | "redo"; label: string }) {
 function StudioTools() {
   return (
     <>
-      <Back glyph="undo" label="Undo" />
-      <Back glyph="redo" label="Redo" />
-      <Tool glyph="open" label="Open a file" command="open" class="wide" onClick={() => askForFile()} />
-      <Tool glyph="recent" label="Recent" class="wide" onClick={openRecent} />
+      <Back glyph="undo" label={messages.undo} />
+      <Back glyph="redo" label={messages.redo} />
+      <Tool glyph="open" label={messages.openFile} command="open" class="wide" onClick={() => askForFile()} />
+      <Tool glyph="recent" label={messages.recent} class="wide" onClick={openRecent} />
       <div class="wide">
-        <Menu label="Save" icon="save" items={saveItems()} />
+        <Menu label={messages.save} icon="save" items={saveItems()} />
       </div>
-      <Tool glyph="help" command="help" label="Help" class="wide" onClick={openHelp} />
+      <Tool glyph="help" command="help" label={messages.help} class="wide" onClick={openHelp} />
     </>
   );
 }
@@ -179,7 +180,7 @@ function PlaceChoice() {
   return (
     <div class={css["place-choice"]}>
       <select
-        aria-label="Tool or page"
+        aria-label={messages.toolOrPage}
         value={here}
         onChange={(event) => {
           const to = event.currentTarget.value as ToolName | "figures" | "learn";
@@ -190,13 +191,13 @@ function PlaceChoice() {
           }
         }}
       >
-        <option value="learn">Learn</option>
+        <option value="learn">{messages.learn}</option>
         {TOOLS.map(({ id, label }) => (
           <option key={id} value={id}>
             {label}
           </option>
         ))}
-        <option value="figures">Figures</option>
+        <option value="figures">{messages.figures}</option>
       </select>
       <Icon name="down" size={16} />
     </div>

@@ -16,6 +16,7 @@ import type { Scene } from "#wasm/api";
 import { loadBends, rasterized } from "#wasm/bend";
 import { curvesFetched } from "#wasm/curve";
 import { killWorker, workers } from "#workers/pool/engine";
+import * as messages from "./messages";
 
 /** The picture on the stage, or the linear one beside it. */
 export type Which = "main" | "linear";
@@ -67,7 +68,7 @@ export function installHook(): void {
 async function readPixels(which: Which = "main"): Promise<Pixels> {
   if (scene.peek().tool === "space") return (await import("#tools/space/stage/state")).spacePixels();
   const painter = (which === "main" ? mainPainter : linearPainter).peek();
-  if (!painter) throw new Error("There is no picture on this page.");
+  if (!painter) throw new Error(messages.thisPageHasNo);
   return painter.pixels();
 }
 

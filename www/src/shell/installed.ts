@@ -1,6 +1,7 @@
 /** Frond at home: off line, told of newer versions, and opening files that the system hands to it. */
 import { notify } from "#document/notice";
 import { openFile } from "#ui/files/door";
+import * as messages from "./messages";
 
 /** What an installed page is given by the system, where there is such a thing. */
 interface LaunchQueue {
@@ -15,7 +16,7 @@ export function beInstalled(): void {
   launchQueue?.setConsumer(({ files }) => {
     Promise.all(files.map((file) => file.getFile())).then(
       ([first, ...others]) => first && openFile([first, ...others]),
-      () => notify({ kind: "error", text: "The file could not be read. Drop it onto the page instead." }),
+      () => notify({ kind: "error", text: messages.fileCouldNotRead }),
     );
   });
   const workers = import.meta.env.DEV ? null : serviceWorkers();
@@ -45,9 +46,9 @@ function serviceWorkers(): ServiceWorkerContainer | null {
 function tellOfUpdate(): void {
   notify({
     kind: "info",
-    text: "A newer Frond is there. What you made stays in the address.",
+    text: messages.newerVersionFrondAvailable,
     stays: true,
-    action: { label: "Load it", run: () => location.reload() },
+    action: { label: messages.update, run: () => location.reload() },
   });
 }
 

@@ -24,6 +24,7 @@ import { makePicture } from "#workers/film/picture";
 import { planeDrawer } from "#workers/film/plane-drawer";
 import { sheetDrawer } from "#workers/film/sheet-drawer";
 import type { Drawer, FrameLook } from "#workers/film/subject";
+import * as messages from "./messages";
 
 /** What the stage that tools share shows now, to be drawn at any size. */
 export async function stageStill(): Promise<Still> {
@@ -58,7 +59,7 @@ export async function stageStill(): Promise<Still> {
   return {
     subject: {
       id: "still",
-      label: "The picture",
+      label: messages.picture,
       name: pictureName(),
       seconds: 1,
       anyLength: false,

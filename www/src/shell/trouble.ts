@@ -1,4 +1,5 @@
 import { isUnfetched, loadAgain, notify, wordsOf } from "#document/notice";
+import * as messages from "./messages";
 
 /** Whatever nobody caught is said, never swallowed. */
 export function reportTrouble(): void {
@@ -12,7 +13,7 @@ export function reportTrouble(): void {
 
 function say(problem: unknown): void {
   const words = wordsOf(problem);
-  const text = isUnfetched(problem) ? words : `Something went wrong: ${words}`;
+  const text = isUnfetched(problem) ? words : messages.somethingWentWrong(words);
   notify({ kind: "error", text, action: loadAgain });
 }
 
@@ -21,18 +22,16 @@ export function showFailure(root: HTMLElement, problem: unknown): void {
   const box = document.createElement("main");
   box.className = "failure";
   const title = document.createElement("h1");
-  title.textContent = "Frond could not start";
+  title.textContent = messages.frondCouldNotStart;
   const why = document.createElement("p");
   why.textContent = wordsOf(problem);
   const todo = document.createElement("p");
   todo.textContent =
-    typeof WebAssembly === "undefined"
-      ? "This browser does not run WebAssembly, or it is switched off. A current Firefox, Chrome, Edge or Safari does."
-      : "Reloading may help. If it does not, a current Firefox, Chrome, Edge or Safari should do.";
+    typeof WebAssembly === "undefined" ? messages.thisBrowserDoesNot : messages.reloadPageIfDoes;
   const again = document.createElement("button");
   again.type = "button";
   again.className = "button primary";
-  again.textContent = "Reload";
+  again.textContent = messages.reload;
   again.onclick = () => location.reload();
   box.append(title, why, todo, again);
   root.replaceChildren(box);

@@ -7,6 +7,7 @@ import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import type { ImportedSystem } from "#wasm/api";
 import { loadSpace } from "#wasm/space";
 import { type Choice, choice, take } from "./door";
+import * as messages from "./messages";
 import type { Where } from "./morph";
 import css from "./picker.module.css";
 
@@ -29,7 +30,7 @@ export function Picker() {
       ...system,
       // Pictures of an earlier file have other ids.
       id: `file-${turn}-${i}`,
-      name: system.name || `System ${i + 1}`,
+      name: system.name || messages.systemNumber(i + 1),
       about: system.problem ?? system.remarks.join(" ") ?? "",
     }));
   }, [systems]);
@@ -47,19 +48,19 @@ export function Picker() {
     <Dialog
       wide
       title={file}
-      about={[`${systems.length} systems are in it. Which one shall it be?`, ...remarks].join(" ")}
+      about={[messages.thisFileContainsSystems(systems.length), ...remarks].join(" ")}
       onClose={close}
     >
       <div class={css["head"]}>
         {items.some(({ dimension }) => dimension === 2) && (
           <Segmented<Where>
-            label="What it becomes"
+            label={messages.openAs}
             value={where}
             onChange={setWhere}
             options={[
-              { value: "a", label: "As A", description: "The shape that the morph begins with" },
-              { value: "b", label: "As B", description: "The shape that it becomes" },
-              { value: "both", label: "As both", description: "At both ends" },
+              { value: "a", label: messages.as, description: messages.shapeMorphStartsWith },
+              { value: "b", label: messages.asB, description: messages.shapeMorphEndsWith },
+              { value: "both", label: messages.asBoth, description: messages.atBothEnds },
             ]}
           />
         )}
@@ -67,27 +68,25 @@ export function Picker() {
           <input
             type="search"
             class={css["search"]}
-            aria-label="Look for a name"
-            placeholder="Look for a name"
+            aria-label={messages.searchByName}
+            placeholder={messages.searchByName}
             value={sought}
             onInput={(event) => setSought(event.currentTarget.value)}
           />
         )}
       </div>
       {found.length > shown.length && (
-        <p class="hint">
-          {shown.length} of {found.length} are shown: look for others by their name.
-        </p>
+        <p class="hint">{messages.showingSearchByName(shown.length, found.length)}</p>
       )}
       <p class="unseen" role="status">
-        {sought && `${found.length} found`}
+        {sought && messages.foundCount(found.length)}
       </p>
-      {found.length === 0 && <p class="hint">No system has that in its name.</p>}
+      {found.length === 0 && <p class="hint">{messages.noSystemHasName}</p>}
       <ShapeGrid
         key={sought}
         presets={shown}
         pictures={solids.size > 0 ? new Map([...thumbnails.value, ...solids]) : thumbnails.value}
-        noteOf={(item) => (item.dimension === 3 ? `space, ${mapsNote(item)}` : mapsNote(item))}
+        noteOf={(item) => (item.dimension === 3 ? messages.inSpace(mapsNote(item)) : mapsNote(item))}
         chosen={undefined}
         onChoose={(item) => {
           close();

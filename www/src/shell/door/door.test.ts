@@ -95,7 +95,7 @@ test("a link that is pasted opens as one step to undo, also as a mailer changed 
   const link = withCheck("v=1&a=koch&t=0.25").replace(/&/g, "&amp;");
   expect(paste(`See https://frond.example/#${link} and tell me.`)).toBe(true);
   expect(scene.peek().t).toBe(0.25);
-  expect(said()).toEqual(["Opened the pasted link. Undo brings back what was there."]);
+  expect(said()).toEqual(["Opened the pasted link. Undo brings back your previous work."]);
   undo();
   expect(scene.peek().t).toBe(blank.t);
   expect(canUndo.peek()).toBe(false);
@@ -104,11 +104,11 @@ test("a link that is pasted opens as one step to undo, also as a mailer changed 
 test("a link that is cut off or damaged leaves the work as it is", () => {
   paste(`#${withCheck("v=1&a=koch&t=0.25").slice(0, -4)}`);
   expect(said()).toEqual([
-    "The pasted link cannot be opened: it seems to be cut off after “a=koch&t=”. Copy all of it. Your work stays as it is.",
+    "The pasted link cannot be opened: it seems to be cut off after “a=koch&t=”. Copy all of it. Your work is unchanged.",
   ]);
   paste("#v=1&a=nothing");
   expect(said()[1]).toBe(
-    "The pasted link cannot be opened: The shape A is not known. Your work stays as it is.",
+    "The pasted link cannot be opened: The shape A is not known. Your work is unchanged.",
   );
   expect(scene.peek().t).toBe(blank.t);
   expect(canUndo.peek()).toBe(false);
@@ -116,9 +116,7 @@ test("a link that is cut off or damaged leaves the work as it is", () => {
 
 test("of other text it is said what can be pasted", () => {
   expect(paste("milk and bread")).toBe(true);
-  expect(said()).toEqual([
-    expect.stringMatching(/^The pasted text is nothing that Frond opens\. You can paste/),
-  ]);
+  expect(said()).toEqual([expect.stringMatching(/^Frond cannot open the pasted text\. You can paste/)]);
   expect(paste(" ")).toBe(false);
 });
 
@@ -135,13 +133,11 @@ test("a file that is not read is named with what to do, and no tool is left for 
   await expect
     .poll(said)
     .toEqual([
-      "leaf.jpg: This is a HEIC picture. Save it as JPEG and open that: on a phone, share it as “Most compatible”. Your work stays as it is.",
+      "leaf.jpg: This is a HEIC picture. Save it as JPEG and open that: on a phone, share it as “Most compatible”. Your work is unchanged.",
     ]);
   openFile([new File(["II*\0\x08\0\0\0"], "scan.tif")]);
   await expect
     .poll(() => said()[1])
-    .toBe(
-      "scan.tif: This is a TIFF picture. Save it as JPEG or PNG and open that. Your work stays as it is.",
-    );
+    .toBe("scan.tif: This is a TIFF picture. Save it as JPEG or PNG and open that. Your work is unchanged.");
   expect(opened).toEqual([]);
 });

@@ -13,6 +13,7 @@ import type { ImportedFile, ImportedSystem, Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { loadExchange } from "#wasm/exchange";
 import { whenOpen } from "../tools";
+import * as messages from "./messages";
 import { intoMorph, type Where } from "./morph";
 import { pasted } from "./pasted";
 import { mayHoldLink, tellFile, wordsForOther } from "./tell";
@@ -60,11 +61,11 @@ const takesText = (target: EventTarget | null) => ["typing", "field"].includes(f
 function openLink(sent: string): void {
   const { text, cutAfter } = arrived(sent);
   try {
-    if (cutAfter !== null) throw new Error(`it seems to be cut off after “${cutAfter}”. Copy all of it.`);
-    openDecoded(text, "Opened the pasted link.");
+    if (cutAfter !== null) throw new Error(messages.seemsToCutOff(cutAfter));
+    openDecoded(text, messages.openedPastedLink);
   } catch (problem) {
-    const why = `The pasted link cannot be opened: ${wordsOf(problem)}`;
-    notify({ kind: "error", text: `${why} Your work stays as it is.` });
+    const why = messages.pastedLinkCannotOpened(wordsOf(problem));
+    notify({ kind: "error", text: messages.workUnchanged(why) });
   }
 }
 
@@ -74,7 +75,7 @@ async function open(files: readonly [File, ...File[]]): Promise<void> {
     if (others.length === 0) await openOne(first);
     else await openSeveral(files);
   } catch (problem) {
-    notify({ kind: "error", text: `${first.name}: ${wordsOf(problem)} Your work stays as it is.` });
+    notify({ kind: "error", text: messages.fileFailed(first.name, wordsOf(problem)) });
   }
 }
 
@@ -91,8 +92,8 @@ async function openSeveral(files: readonly [File, ...File[]]): Promise<void> {
   const left = files.filter((file) => !taken.has(file));
   if (left.length > 0) {
     const names = left.slice(0, 5).map(({ name }) => name);
-    const more = left.length > names.length ? ` and ${left.length - names.length} more` : "";
-    notify({ kind: "info", text: `Left out: ${names.join(", ")}${more}. Open each by itself.` });
+    const more = left.length > names.length ? messages.andMore(left.length - names.length) : "";
+    notify({ kind: "info", text: messages.notOpened(names.join(", "), more) });
   }
   const [only] = taken;
   if (taken.size === 1 && only) return openOne(only);
@@ -104,24 +105,24 @@ async function openSeveral(files: readonly [File, ...File[]]): Promise<void> {
       const name = file.name.replace(ENDING, "");
       systems.push(...found.systems.map((system) => ({ ...system, name: system.name || name })));
       remarks.push(...found.remarks.map((remark) => `${file.name}: ${remark}`));
-      if (found.link !== undefined) remarks.push(`${file.name} holds a whole document: open it by itself.`);
+      if (found.link !== undefined) remarks.push(messages.wholeDocument(file.name));
     } catch (problem) {
       remarks.push(`${file.name}: ${wordsOf(problem)}`);
     }
   }
   if (systems.length === 0) throw new Error(remarks.join(" "));
-  choice.value = { file: `${taken.size} files`, systems, remarks };
+  choice.value = { file: messages.severalFiles(taken.size), systems, remarks };
 }
 
 const ENDING = /\.[a-z0-9]{1,8}$/i;
 
 async function openOne(file: File): Promise<void> {
-  if (file.size > MOST_BYTES) throw new Error("This is larger than 256 MB, and no file that Frond reads.");
+  if (file.size > MOST_BYTES) throw new Error(messages.fileLargerThan256);
   const head = await headOf(file);
   const kind = tellFile(head);
   switch (kind) {
     case "empty":
-      throw new Error("The file is empty. Choose another.");
+      throw new Error(messages.fileEmptyChooseAnother);
     case "other":
       throw new Error(wordsForOther(head));
     case "animation":
@@ -156,13 +157,13 @@ async function openPicture(file: File, head: Uint8Array): Promise<void> {
 }
 
 const openDocument = (name: string, link: string) =>
-  openDecoded(arrived(link).text, `Opened what ${name} was saved from.`);
+  openDecoded(arrived(link).text, messages.openedDocumentFrom(name));
 
 function openDecoded(link: string, said: string): void {
   const { scene, problem } = frond.decodeScene(link);
   if (problem) throw problem;
   edit(() => scene);
-  notify({ kind: "info", text: `${said} Undo brings back what was there.` });
+  notify({ kind: "info", text: messages.undoable(said) });
 }
 
 function openMaps(file: string, { systems, remarks, link }: ImportedFile): void {
@@ -179,8 +180,8 @@ export async function take(
   remarks: readonly string[] = [],
   where: Where = "a",
 ): Promise<void> {
-  const name = system.name || file.replace(ENDING, "") || "Maps";
-  const coloured = system.dimension === 2 && system.colours && where !== "b" ? ["Its colours are kept."] : [];
+  const name = system.name || file.replace(ENDING, "") || messages.maps;
+  const coloured = system.dimension === 2 && system.colours && where !== "b" ? [messages.coloursKept] : [];
   try {
     if (system.problem) throw new Error(system.problem);
     const said = [...system.remarks, ...remarks, ...weightsWords(system), ...coloured].join(" ");
@@ -197,7 +198,7 @@ export async function take(
   } catch (problem) {
     notify({
       kind: "error",
-      text: `${name} cannot be opened: ${wordsOf(problem)} Your work stays as it is.`,
+      text: messages.cannotOpen(name, wordsOf(problem)),
     });
   }
 }

@@ -6,6 +6,7 @@ import { lastStep, scene, undo } from "#document/scene";
 import { withWeights } from "#geometry/maps/weighted";
 import { choose, type End } from "#tools/morph/changes";
 import type { MapRow, Scene } from "#wasm/api";
+import * as messages from "./messages";
 
 /** Which end of the morph a system becomes. */
 export type Where = "a" | "b" | "both";
@@ -38,7 +39,11 @@ export function withSystem(before: Scene, system: Own, where: Where): Scene {
   };
 }
 
-const WORDS: Record<Where, string> = { a: "now shape A", b: "now shape B", both: "at both ends" };
+const WORDS: Record<Where, string> = {
+  a: messages.nowShape,
+  b: messages.nowShapeB,
+  both: messages.nowBothShapes,
+};
 
 /** The notice of the last one. */
 let told: number | null = null;
@@ -57,11 +62,11 @@ export async function intoMorph(system: Own, where: Where, said: string): Promis
   };
   // The same words again would keep the old way back.
   if (told !== null) dismiss(told);
-  const count = system.maps.length === 1 ? "one map" : `${system.maps.length} maps`;
-  const text = `${system.name} is ${WORDS[where]}, with ${count}. ${said}`.trim();
+  const count = messages.mapCount(system.maps.length);
+  const text = messages.taken(system.name, WORDS[where], count, said).trim();
   told = notify({
     kind: "info",
     text,
-    ...(where === "a" ? { action: { label: "As B instead", run: instead } } : {}),
+    ...(where === "a" ? { action: { label: messages.openAsBInstead, run: instead } } : {}),
   });
 }

@@ -29,10 +29,10 @@ test.each([
 test("of any other text it is said what can be pasted", () => {
   expect(pasted("See https://example.org/#v=next for more")).toEqual({
     problem:
-      "The pasted text is nothing that Frond opens. You can paste a link to a Frond document, maps (rows of numbers, Fractint, flames, JSON) or an outline (SVG, CSV, GeoJSON).",
+      "Frond cannot open the pasted text. You can paste a link to a Frond document, maps (rows of numbers, Fractint, flames, JSON) or an outline (SVG, CSV, GeoJSON).",
   });
   expect(pasted("1 ".repeat((8 << 20) + 1))).toEqual({
-    problem: "The pasted text is longer than 16 million letters. Save it as a file and open that.",
+    problem: "The pasted text is longer than 16 million characters. Save it as a file and open that.",
   });
 });
 

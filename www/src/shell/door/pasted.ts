@@ -1,4 +1,6 @@
 /** What a text that is pasted is meant as: a link, or what would be a file. */
+
+import * as messages from "./messages";
 import { tellPasted } from "./tell";
 
 /** The longest text that is taken from the clipboard. */
@@ -11,8 +13,7 @@ const BEGINS = "v(?:=|%(?:25)*3D)\\d+(?:&|%(?:25)*26)[\\s\\S]*";
 const ADDRESS = new RegExp(`[a-z]{2,10}:[^\\s#]{0,2000}#(${BEGINS})`, "i");
 const FRAGMENT = new RegExp(`^[\\s<("'“]*#?(${BEGINS})`, "i");
 
-const NOT_MEANT =
-  "The pasted text is nothing that Frond opens. You can paste a link to a Frond document, maps (rows of numbers, Fractint, flames, JSON) or an outline (SVG, CSV, GeoJSON).";
+const NOT_MEANT = messages.frondCannotOpenPasted;
 
 /** `nothing`: there is no text. */
 export type Pasted = { nothing: true } | { link: string } | { file: File } | { problem: string };
@@ -20,13 +21,17 @@ export type Pasted = { nothing: true } | { link: string } | { file: File } | { p
 export function pasted(text: string): Pasted {
   if (text.trim() === "") return { nothing: true };
   if (text.length > MOST_LETTERS) {
-    return { problem: "The pasted text is longer than 16 million letters. Save it as a file and open that." };
+    return { problem: messages.pastedTextLongerThan };
   }
   const link = text.length <= MOST_OF_A_LINK ? linkIn(text) : null;
   if (link !== null) return { link };
   const kind = tellPasted(text);
   if (kind === null) return { problem: NOT_MEANT };
-  const name = { outline: "Pasted outline", maps: "Pasted maps", animation: "Pasted animation" }[kind];
+  const name = {
+    outline: messages.pastedOutline,
+    maps: messages.pastedMaps,
+    animation: messages.pastedAnimation,
+  }[kind];
   return { file: new File([text], name, { type: typeOf(text) }) };
 }
 

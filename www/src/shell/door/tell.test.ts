@@ -157,7 +157,7 @@ test("what is not read is named, whatever its name says", () => {
     "This is a HEIC picture. Save it as JPEG and open that: on a phone, share it as “Most compatible”.",
   );
   expect(tellFile(bytes("{\\rtf1\\ansi 1 2 3 4 5 6}"))).toBe("other");
-  expect(wordsForOther(bytes("\x01\x02"))).toMatch(/^This is no file that Frond reads\./);
+  expect(wordsForOther(bytes("\x01\x02"))).toMatch(/^Frond does not read this type of file\./);
 });
 
 test.each([

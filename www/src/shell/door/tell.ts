@@ -1,5 +1,6 @@
 /** What a file is, by what is in it: its name may say anything. */
 import { otherWords, signatureOf } from "#workers/image/signature";
+import * as messages from "./messages";
 import { decoded, pastBlanks } from "./tell-head";
 import { kindOfJson } from "./tell-json";
 import { kindOfTable } from "./tell-table";
@@ -44,8 +45,8 @@ export function tellPasted(text: string): "outline" | "maps" | "animation" | nul
 export function wordsForOther(head: Uint8Array): string {
   const signature = signatureOf(head);
   return signature && "other" in signature
-    ? `This is ${otherWords(signature.other)}`
-    : "This is no file that Frond reads. It reads maps (.ifs, .flame, .aifs, JSON, tables), its own PNG, outlines (SVG, CSV, GeoJSON) and photographs.";
+    ? messages.recognizedAs(otherWords(signature.other))
+    : messages.frondDoesNotRead;
 }
 
 /** Whether a picture says in its beginning that Frond saved it. */

@@ -1,6 +1,7 @@
 /** What becomes of the weights of a file. */
 import { areaShares } from "#document/area-shares";
 import type { ImportedSystem } from "#wasm/api";
+import * as messages from "./messages";
 
 /** The weights of a system of the plane where they say more than its areas do, which stand for weights without them. */
 export function weightsOf({ dimension, maps, probabilities }: ImportedSystem): number[] | undefined {
@@ -15,8 +16,8 @@ export function weightsOf({ dimension, maps, probabilities }: ImportedSystem): n
 const ROUNDED = 0.006;
 
 export function weightsWords(system: ImportedSystem): string[] {
-  if (weightsOf(system)) return ["Its weights are kept: “Colour by density” shows them."];
+  if (weightsOf(system)) return [messages.weightsKeptChooseColour];
   const { dimension, probabilities = [] } = system;
   const uneven = probabilities.some((weight) => weight !== probabilities[0]);
-  return dimension === 3 && uneven ? ["Its weights are not kept: in space shapes are drawn whole."] : [];
+  return dimension === 3 && uneven ? [messages.weightsNotKeptSpace] : [];
 }

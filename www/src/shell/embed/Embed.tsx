@@ -19,7 +19,8 @@ import { studioHref } from "../actions";
 import { Notices } from "../Notices";
 import { openedTool, watchTools } from "../tools";
 import css from "./embed.module.css";
-import { optionsIn } from "./messages";
+import * as messages from "./messages";
+import { optionsIn } from "./protocol";
 import { momentNow, moving, seek, talk } from "./talk";
 
 const options = optionsIn(location.search);
@@ -52,7 +53,7 @@ export function Embed({ backend }: { backend: "auto" | PainterBackend }) {
     <>
       <main class={`${css["embed"]} ${beside ? css["beside"] : ""}`}>
         <h1 class="unseen">{entry.title}</h1>
-        <section class={css["picture"]} aria-label={entry.stage ?? "The picture"}>
+        <section class={css["picture"]} aria-label={entry.stage ?? messages.picture}>
           {entry.stage === undefined ? (
             <SharedStage backend={backend}>
               <div class="stage-foot">{options.verdict && Verdict && <Verdict />}</div>
@@ -102,7 +103,7 @@ function Time() {
       <PlayButton playing={moving()} onToggle={() => openedTool().tool?.timeline?.toggle()} />
       <Slider
         class={css["scrub"]}
-        label="Time"
+        label={messages.time}
         value={t}
         step={0.01}
         valueText={percent(t)}
@@ -123,7 +124,7 @@ function Out() {
 function OutLink({ to }: { to: string }) {
   return (
     <a class={css["out"]} href={`./${to}`} target="_blank" rel="noopener">
-      Open in Frond
+      {messages.openInFrond}
       <Icon name="arrow" size={14} />
     </a>
   );

@@ -10,7 +10,7 @@ import { verdictLine } from "#format/verdict";
 import { frond } from "#wasm/core";
 import { link } from "../actions";
 import { openedTool } from "../tools";
-import { type Asked, askedBy, type Told } from "./messages";
+import { type Asked, askedBy, type Told } from "./protocol";
 
 /** Whether what moves plays, in whichever tool. */
 export const moving = (): boolean => playing.value || phasePlaying.value || spacePlaying.value;

@@ -7,6 +7,7 @@ import { evidenceOpen } from "#stage/evidence/shown";
 import { Button } from "#ui/controls/Button";
 import { Icon } from "#ui/controls/Icon";
 import css from "./guide.module.css";
+import * as messages from "./messages";
 import { at, goTo, greeted, greeting, leave } from "./state";
 import { type Doing, STEPS } from "./steps";
 
@@ -66,9 +67,7 @@ function Round({ number }: { number: number }) {
         style={cardOf(place, evidenceOpen.value)}
         aria-labelledby="guide-title"
       >
-        <p class={css["count"]}>
-          {number + 1} of {STEPS.length}
-        </p>
+        <p class={css["count"]}>{messages.stepOf(number + 1, STEPS.length)}</p>
         <h2 id="guide-title" ref={heading} tabIndex={-1}>
           {step.title}
         </h2>
@@ -76,25 +75,25 @@ function Round({ number }: { number: number }) {
         <p class={css["done"]} aria-live="polite">
           {done && (
             <>
-              <Icon name="check" size={16} /> Done.
+              <Icon name="check" size={16} /> {messages.done}
             </>
           )}
         </p>
         <div class={css["ways"]}>
-          {number > 0 && <Button onClick={() => goTo(number - 1)}>Back</Button>}
+          {number > 0 && <Button onClick={() => goTo(number - 1)}>{messages.back}</Button>}
           <Button
             kind={done || !step.done ? "primary" : "plain"}
             onClick={() => (last ? leave(number) : goTo(number + 1))}
           >
-            {last ? "Finish" : "Next"}
+            {last ? messages.finish : messages.next}
           </Button>
           {last ? (
             <a class="button" href="#learn">
-              On to the lessons
+              {messages.goToLessons}
             </a>
           ) : (
             <Button class={css["skip"]} kind="quiet" onClick={() => leave(number)}>
-              Skip
+              {messages.skip}
             </Button>
           )}
         </div>

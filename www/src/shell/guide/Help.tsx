@@ -5,6 +5,7 @@ import { ShortcutsDialog } from "#ui/overlay/ShortcutsDialog";
 import { WORDS } from "#ui/terms/words";
 import { touched } from "#ui/touched";
 import css from "./help.module.css";
+import * as messages from "./messages";
 import { goRound } from "./state";
 
 const close = () => {
@@ -21,13 +22,13 @@ export function Help({ commands }: { commands: () => readonly Command[] }) {
   return (
     <ShortcutsDialog commands={commands}>
       <p class={css["first"]}>
-        <Button onClick={goRound}>Show me round</Button>
+        <Button onClick={goRound}>{messages.takeTour}</Button>
         <a class={`button ${css["learn"]}`} href="#learn">
-          Learn from the beginning
+          {messages.learnFromBeginning}
         </a>
       </p>
       <details class={css["words"]} open={touched.value}>
-        <summary>What the words mean</summary>
+        <summary>{messages.glossary}</summary>
         <dl>
           {WORDS.map(({ word, means, lesson }) => (
             <div key={word}>
@@ -35,8 +36,8 @@ export function Help({ commands }: { commands: () => readonly Command[] }) {
               <dd>
                 {means}{" "}
                 {lesson && (
-                  <a href={`#learn/${lesson}`} aria-label={`The lesson on “${word}”`}>
-                    Lesson
+                  <a href={`#learn/${lesson}`} aria-label={messages.lessonOn(word)}>
+                    {messages.lesson}
                   </a>
                 )}
               </dd>

@@ -4,6 +4,7 @@ import { endsOf } from "#document/stand-in";
 import { tool } from "#document/tool";
 import { Button, IconButton } from "#ui/controls/Button";
 import css from "./guide.module.css";
+import * as messages from "./messages";
 import { at, goRound, greeted, greeting, rested } from "./state";
 
 /** The sentence of a first visit, to Frond itself or to what somebody sent. */
@@ -11,38 +12,33 @@ export function Welcome() {
   const kind = greeting.value;
   if (kind === null || at.value !== null) return null;
   return (
-    <aside class={css["greeting"]} aria-label="Welcome">
+    <aside class={css["greeting"]} aria-label={messages.welcome}>
       <p>
         {kind === "sent" ? sentWords() : <strong>{WHAT}</strong>}
         {kind === "new" && <Seen />}
       </p>
       <div class={css["ways"]}>
         <Button kind="primary" onClick={goRound}>
-          Show me round
+          {messages.takeTour}
         </Button>
         <a class="button" href="#learn">
-          Learn
+          {messages.learn}
         </a>
       </div>
-      <IconButton class={css["close"]} icon="close" label="Close" kind="quiet" onClick={greeted} />
+      <IconButton class={css["close"]} icon="close" label={messages.close} kind="quiet" onClick={greeted} />
     </aside>
   );
 }
 
-const WHAT = "Frond turns one fractal into another without letting it fall apart.";
+const WHAT = messages.frondTurnsOneFractal;
 
 function sentWords() {
   const { a, b } = endsOf(scene.value);
   const turns = tool.value === "morph" && a.name !== b.name;
   return (
     <>
-      {turns && (
-        <strong>
-          {a.name} turns into {b.name}.
-        </strong>
-      )}{" "}
-      Made with Frond, a studio for shapes made of smaller copies of themselves.
-      {turns && reducedMotion.value && " Press play to see it move."}
+      {turns && <strong>{messages.turnsInto(a.name, b.name)}</strong>} {messages.madeWithFrond}
+      {turns && reducedMotion.value && ` ${messages.pressPlayToMove}`}
     </>
   );
 }
@@ -58,8 +54,6 @@ function Seen() {
 
 function seenWords(): string {
   const { a, b } = endsOf(scene.value);
-  if (rested.value) return `It is ${b.name} now. Press play to see it again.`;
-  return reducedMotion.value
-    ? `Press play: ${a.name} turns into ${b.name}.`
-    : "Each colour is a smaller copy of the whole.";
+  if (rested.value) return messages.nowPressPlayTo(b.name);
+  return reducedMotion.value ? messages.pressPlayToWatch(a.name, b.name) : messages.eachColourSmallerCopy;
 }

@@ -3,6 +3,7 @@ import { signal } from "@preact/signals";
 import { notify } from "#document/notice";
 import { openTool } from "#document/tool";
 import { help } from "#ui/commands";
+import * as messages from "./messages";
 import { keepSeen, keepUnderWay, seen } from "./seen";
 import { STEPS } from "./steps";
 
@@ -53,8 +54,8 @@ export function leave(step: number): void {
     };
     notify({
       kind: "info",
-      text: "The round is over.",
-      action: { label: "Back to what you were sent", run },
+      text: messages.tourOver,
+      action: { label: messages.backToSharedLink, run },
     });
   }
   sent = "";

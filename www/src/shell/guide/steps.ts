@@ -1,5 +1,6 @@
 /** The round: five steps on the real controls, and when somebody has done what a step asks for. */
 import type { Scene } from "#wasm/api";
+import * as messages from "./messages";
 
 /** What may be done in a step. */
 export interface Doing {
@@ -21,31 +22,31 @@ const PATH_KINDS = '[aria-labelledby="path-title"] [role="radiogroup"]';
 
 export const STEPS: readonly Step[] = [
   {
-    title: "Press play",
-    text: "A turns into B. The way between the two was chosen so that the shape stays in one piece.",
+    title: messages.pressPlay,
+    text: messages.turnsIntoBFrond,
     target: ".time .play",
     done: (now, before) => now.playing || now.scene.t !== before.scene.t,
   },
   {
-    title: "Now the straight way",
-    text: "Choose Straight: the shortest way between the same two shapes. The time line below the picture marks where the shape falls apart.",
+    title: messages.nowTryStraightPath,
+    text: messages.chooseStraightShortestPath,
     target: PATH_KINDS,
     done: (now) => now.scene.path.kind === "straight",
   },
   {
-    title: "The map says why",
-    text: "Every point of it is a shape between A and B: in one piece where it is pale, and in pieces where it is dark. The straight line from A to B leads through the dark.",
+    title: messages.locusShowsWhy,
+    text: messages.everyPointShapeBetween,
     target: ".locus-square",
   },
   {
-    title: "Go round",
-    text: "Choose Auto, and a way round the dark is found. Or drag the way by its points.",
+    title: messages.goAround,
+    text: messages.chooseAutoAndFrond,
     target: PATH_KINDS,
     done: (now, before) => now.scene.path.kind !== "straight" && now.scene.path !== before.scene.path,
   },
   {
-    title: "Ask why",
-    text: "Here stands what is known of the shape at this moment. Press it: it tells why, and what is proved can be checked by another program.",
+    title: messages.askWhy,
+    text: messages.thisSaysWhatKnown,
     target: '[data-testid="verdict"]',
     done: (now) => now.evidence,
   },

@@ -15,13 +15,12 @@ import type { Scene } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { TOOLS } from "../tools";
 import { trouble } from "./keeping";
+import * as messages from "./messages";
 import css from "./recent.module.css";
 import { goOn, keeping, store } from "./start";
 import { MOST, type Row } from "./store";
 
-const ABOUT =
-  `The last ${MOST} documents that you changed, and those that you pin. They stay in this browser and go nowhere. ` +
-  "Photographs and outlines that you opened are not kept here; Fit keeps those of the fits that you ask it to keep.";
+const ABOUT = messages.aboutRecent(MOST) + messages.photosAndOutlinesNot;
 
 /** What is kept in this browser. */
 export function Recent() {
@@ -61,15 +60,13 @@ export function Recent() {
   };
 
   return (
-    <Dialog wide title="Recent" about={ABOUT} onClose={close}>
+    <Dialog wide title={messages.recent} about={ABOUT} onClose={close}>
       {told && (
         <p class={css["recent-problem"]} role="status">
           {told}
         </p>
       )}
-      {rows?.length === 0 && !told && (
-        <p class="hint">Nothing yet. What you change is kept by itself, a second after.</p>
-      )}
+      {rows?.length === 0 && !told && <p class="hint">{messages.nothingYetFrondSaves}</p>}
       <KeptRows>
         {rows?.map((row) => (
           <Entry
@@ -82,7 +79,7 @@ export function Recent() {
             }}
             onRename={(name) => after(store.rename(row.id, name))}
             onPin={() => after(store.pin(row.id, !row.pinned))}
-            onRemove={() => after(store.remove(row.id), `${row.name} was removed.`)}
+            onRemove={() => after(store.remove(row.id), messages.wasRemoved(row.name))}
           />
         ))}
       </KeptRows>
@@ -90,21 +87,21 @@ export function Recent() {
         <div class={css["recent-foot"]}>
           {sure ? (
             <>
-              <p class="hint">The document on the page stays. Remove all others, the pinned too?</p>
+              <p class="hint">{messages.openDocumentStaysRemove}</p>
               <Button
                 kind="danger"
                 onClick={() => {
                   setSure(false);
-                  void after(store.clear(), "Nothing is kept any more.");
+                  void after(store.clear(), messages.listEmpty);
                 }}
               >
-                Remove all {rows.length}
+                {messages.removeAll(rows.length)}
               </Button>
-              <Button onClick={() => setSure(false)}>Keep them</Button>
+              <Button onClick={() => setSure(false)}>{messages.keepThem}</Button>
             </>
           ) : (
             <Button icon="bin" onClick={() => setSure(true)}>
-              Clear all
+              {messages.clearAll}
             </Button>
           )}
         </div>
@@ -125,7 +122,7 @@ interface EntryProps {
 
 function Entry({ row, scene, onOpen, onRename, onPin, onRemove }: EntryProps) {
   const [naming, setNaming] = useState(false);
-  const name = row.name || "Without a name";
+  const name = row.name || messages.untitled;
   const tool = TOOLS.find(({ id }) => id === (scene?.tool ?? "morph"))?.label;
   return (
     <KeptRow
@@ -147,8 +144,8 @@ function Entry({ row, scene, onOpen, onRename, onPin, onRemove }: EntryProps) {
       }
       about={
         <>
-          {scene === null ? "It cannot be read by this Frond" : tool} · {whenWords(row.time)}
-          {row.pinned && " · pinned"}
+          {scene === null ? messages.thisVersionFrondCannot : tool} · {whenWords(row.time)}
+          {row.pinned && messages.pinnedAside}
         </>
       }
       onOpen={scene === null ? undefined : onOpen}
@@ -157,12 +154,12 @@ function Entry({ row, scene, onOpen, onRename, onPin, onRemove }: EntryProps) {
       onName={onRename}
       onNamed={() => setNaming(false)}
     >
-      <IconButton icon="edit" kind="quiet" label={`Rename ${name}`} onClick={() => setNaming(true)} />
-      <Button kind="quiet" pressed={row.pinned} onClick={onPin} description={`Keep ${name} for good`}>
-        {row.pinned ? "Unpin" : "Pin"}
+      <IconButton icon="edit" kind="quiet" label={messages.rename(name)} onClick={() => setNaming(true)} />
+      <Button kind="quiet" pressed={row.pinned} onClick={onPin} description={messages.keepPermanently(name)}>
+        {row.pinned ? messages.unpin : messages.pin}
         <span class="unseen"> {name}</span>
       </Button>
-      <IconButton icon="bin" kind="quiet" label={`Remove ${name}`} onClick={onRemove} />
+      <IconButton icon="bin" kind="quiet" label={messages.remove(name)} onClick={onRemove} />
     </KeptRow>
   );
 }

@@ -5,6 +5,7 @@ import { openings } from "#document/link";
 import { inGesture, lastStep, scene } from "#document/scene";
 import { endsOf } from "#document/stand-in";
 import type { Scene } from "#wasm/api";
+import * as messages from "./messages";
 import type { Row, Store } from "./store";
 
 /** What is needed of the page around it; tests have their own. */
@@ -160,7 +161,7 @@ export class Keeping {
     try {
       fragment = encodeScene(now);
     } catch {
-      trouble.value = "What you see is too large to be kept. What was kept of it before is still there.";
+      trouble.value = messages.thisDocumentTooLarge;
       return;
     }
     if (open.id === null) {
@@ -209,7 +210,7 @@ export const isOpen = (other: Scene): boolean => made(other) === made(scene.peek
 
 /** What a document is called until somebody names it. */
 export function nameOf(of: Scene): string {
-  if (of.tool === "space") return "Shape of space";
+  if (of.tool === "space") return messages.spaceShape;
   const { a, b } = endsOf(of);
-  return a.name === b.name ? a.name : `${a.name} to ${b.name}`;
+  return a.name === b.name ? a.name : messages.fromTo(a.name, b.name);
 }

@@ -7,6 +7,7 @@ import { lastStep, scene } from "#document/scene";
 import { tool } from "#document/tool";
 import { frond } from "#wasm/core";
 import { isOpen, Keeping } from "./keeping";
+import * as messages from "./messages";
 import { type Row, Store } from "./store";
 
 export const store = new Store(database);
@@ -37,7 +38,7 @@ export const keeping = new Keeping(store, {
   },
   newId,
   now: Date.now,
-  tell: (text) => notify({ kind: "info", text: `Your work is not kept. ${text}` }),
+  tell: (text) => notify({ kind: "info", text: messages.notSaved(text) }),
 });
 
 /** `hash` is what the page was opened with. */
@@ -63,8 +64,8 @@ async function offer(): Promise<void> {
   const notice = notify({
     kind: "info",
     // Its shapes may well be those that are open: what was made of them is meant.
-    text: `Go on with your ${last.name || "work"}?`,
-    action: { label: "Go on", run: () => goOn(last) },
+    text: messages.continueWith(last.name || messages.yourLastDocument),
+    action: { label: messages.continueLabel, run: () => goOn(last) },
   });
   // Whoever turns to something else has answered, and what lies below it can be pressed.
   const elsewhere = ({ target }: Event) => {

@@ -19,6 +19,7 @@ import { loadBends, rasterize } from "#wasm/bend";
 import { makePicture } from "#workers/film/picture";
 import { addressOf, stageStill } from "../save";
 import { openedTool } from "../tools";
+import * as messages from "./messages";
 import css from "./print.module.css";
 
 /** Pixels of the picture for each of the stage. */
@@ -100,12 +101,7 @@ function atOnce(): HTMLElement {
   }
   const { tool } = openedTool();
   const waits = entry.stage === undefined || tool?.still !== undefined;
-  return textOf(
-    "p",
-    waits
-      ? "This picture takes a moment: choose “Print” in the menu “Save”, which waits for it."
-      : "Save the picture by the menu “Save”, and print that.",
-  );
+  return textOf("p", waits ? messages.thisPictureTakesMoment : messages.savePictureFromSave);
 }
 
 function lay(picture: HTMLElement): void {
@@ -131,9 +127,9 @@ function lay(picture: HTMLElement): void {
 function title(): string {
   const { t, tool } = scene.peek();
   const { a, b } = endsOf(scene.peek());
-  if (tool === "space") return "Frond: a scene in space";
-  if (tool === "fit") return "Frond: a fractal curve";
-  return a.name === b.name ? a.name : `${a.name} to ${b.name}, at ${percent(t)}`;
+  if (tool === "space") return messages.frondSceneInSpace;
+  if (tool === "fit") return messages.frondFractalCurve;
+  return a.name === b.name ? a.name : messages.toAt(a.name, b.name, percent(t));
 }
 
 /** Digits of a number on paper; the link has all. */

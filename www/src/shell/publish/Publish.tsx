@@ -13,6 +13,7 @@ import shareCss from "../share.module.css";
 import { openedTool } from "../tools";
 import type { Moves } from "./folder";
 import { type FilmChoice, makeFolder, mp4Settings } from "./make";
+import * as messages from "./messages";
 import css from "./publish.module.css";
 
 interface PublishProps {
@@ -23,12 +24,15 @@ interface PublishProps {
   onClose: () => void;
 }
 
-const WRONG = "An address begins with https:// and names a folder, such as https://example.org/fern/.";
+/** An address as people may write it. */
+const EXAMPLE = "https://example.org/fern/";
+
+const WRONG = messages.enterAddressBeginsWith;
 
 /** Asks what the folder says of itself, and makes it. */
 export function Publish({ address, moves, still, onClose }: PublishProps) {
   const [title, setTitle] = useState(titleNow);
-  const [about, setAbout] = useState("A fractal, drawn live. Made with Frond.");
+  const [about, setAbout] = useState(messages.liveFractalMadeWith);
   const [home, setHome] = useState("");
   const [film, setFilm] = useState<FilmChoice>("none");
   const [subjects, setSubjects] = useState<readonly FilmSubject[]>([]);
@@ -58,23 +62,25 @@ export function Publish({ address, moves, still, onClose }: PublishProps) {
     stop.current = ending;
     setBusy(true);
     try {
-      const words = { title: title.trim() || "A fractal", about: about.trim(), address, home: whole, moves };
+      const words = {
+        title: title.trim() || messages.fractal,
+        about: about.trim(),
+        address,
+        home: whole,
+        moves,
+      };
       const zip = await makeFolder({ ...words, film }, await still(), subjects, ending.signal, setTold);
       download(new Blob([zip], { type: "application/zip" }), `${plainName(words.title, "frond")}.zip`);
-      setTold("Saved. Unpack it, and put the folder on your host.");
+      setTold(messages.savedUnpackZipAnd);
     } catch (problem) {
-      setTold(ending.signal.aborted ? "" : `It could not be made: ${wordsOf(problem)}`);
+      setTold(ending.signal.aborted ? "" : messages.publishingFailed(wordsOf(problem)));
     } finally {
       setBusy(false);
     }
   };
 
   return (
-    <Dialog
-      title="Publish"
-      about="A folder for any web host: a page with this in it, live, its picture, and all that it needs."
-      onClose={onClose}
-    >
+    <Dialog title={messages.publish2} about={messages.readyMadeWebPageZip} onClose={onClose}>
       <form
         class={shareCss["share"]}
         onSubmit={(event) => {
@@ -82,23 +88,21 @@ export function Publish({ address, moves, still, onClose }: PublishProps) {
           if (!busy && !wrong) void make();
         }}
       >
-        <Field label="Title" value={title} onInput={setTitle} />
-        <Field label="Description" value={about} onInput={setAbout} />
+        <Field label={messages.title} value={title} onInput={setTitle} />
+        <Field label={messages.description} value={about} onInput={setAbout} />
         <Field
-          label="Address, if you know it"
+          label={messages.addressOptional}
           value={home}
-          placeholder="https://example.org/fern/"
-          hint={
-            wrong ? WRONG : "Where the folder will be: messengers show its picture only by a whole address."
-          }
+          placeholder={EXAMPLE}
+          hint={wrong ? WRONG : messages.pagesFullAddressMessengers}
           wrong={wrong}
           onInput={setHome}
         />
         {subjects.length > 0 && (
           <ChoiceRow
-            label="Film"
+            label={messages.film}
             options={[
-              { value: "none", label: "None" },
+              { value: "none", label: messages.none },
               { value: "gif", label: "GIF" },
               ...(mp4 ? [{ value: "mp4" as const, label: "MP4" }] : []),
             ]}
@@ -111,10 +115,10 @@ export function Publish({ address, moves, still, onClose }: PublishProps) {
             {told}
           </p>
           {busy ? (
-            <Button onClick={() => stop.current?.abort()}>Cancel</Button>
+            <Button onClick={() => stop.current?.abort()}>{messages.cancel}</Button>
           ) : (
             <Button kind="primary" icon="save" disabled={wrong} onClick={() => void make()}>
-              Save the folder (ZIP)
+              {messages.saveFolderZip}
             </Button>
           )}
         </footer>
@@ -155,7 +159,7 @@ function Field({ label, value, placeholder, hint, wrong = false, onInput }: Fiel
 function titleNow(): string {
   const { tool } = scene.peek();
   const { a, b } = endsOf(scene.peek());
-  if (tool === "space") return "A fractal in space";
-  if (tool === "fit") return "A fractal curve";
-  return a.name === b.name ? a.name : `${a.name} to ${b.name}`;
+  if (tool === "space") return messages.fractalInSpace;
+  if (tool === "fit") return messages.fractalCurve;
+  return a.name === b.name ? a.name : messages.to(a.name, b.name);
 }

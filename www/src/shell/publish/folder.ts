@@ -1,6 +1,7 @@
 /** The texts of a published folder. Whatever a document brings stands in them as text. */
 import { themeIn } from "#document/preferences";
 import { escaped } from "#format/html";
+import * as messages from "./messages";
 
 /** Of pictures that unfold, as most messengers want them. */
 export const UNFOLDED = { width: 1200, height: 630 };
@@ -98,13 +99,11 @@ export function indexPage(publication: Publication): string {
 
 /** What to do with the folder, in three lines. */
 export function readme({ home, film }: Publication): string {
-  const files = `index.html, picture.png, ${film ? `${film.name}, ` : ""}frond-view.js and licenses.txt`;
+  const files = messages.folderFiles(film ? `${film.name}, ` : "");
   return [
-    `Put this folder (${files}) on any host of static files; nothing has to run there.`,
-    "Open index.html to see it: by a double click it works, too, without a host.",
-    home === null
-      ? 'Messengers show its picture once index.html names its address: publish it again with "Address".'
-      : `It is made for ${home}: elsewhere it works, but what unfolds names that address.`,
+    messages.uploadThisFolderTo(files),
+    messages.toSeeWithoutHost,
+    home === null ? messages.messengersShowPreviewOnly : messages.madeFor(home),
     "",
   ].join("\n");
 }

@@ -6,6 +6,7 @@ import { makeFilm } from "#workers/film/film";
 import { makePicture } from "#workers/film/picture";
 import { lasting } from "#workers/film/subject";
 import { type FilmFile, indexPage, type Publication, readme, studioOf, UNFOLDED } from "./folder";
+import * as messages from "./messages";
 
 export type FilmChoice = "none" | "gif" | "mp4";
 
@@ -37,13 +38,13 @@ export async function makeFolder(
   tell: (words: string) => void,
 ): Promise<Uint8Array<ArrayBuffer>> {
   const studio = studioOf(rest.address);
-  tell("Fetching what draws it …");
+  tell(messages.loadingRenderer);
   const [script, licenses, { strToU8, zipSync }] = await Promise.all([
     fetched(`${studio}frond-view.js`, signal),
     fetched(`${studio}licenses.txt`, signal),
     import("fflate"),
   ]);
-  tell("Drawing the picture …");
+  tell(messages.renderingPreview);
   const settings = { ...UNFOLDED, ground: subject.ground, link: rest.address };
   const picture = await makePicture({ subject, at, settings, smooth: true }, signal, () => {});
   const [moving] = films;
@@ -84,19 +85,19 @@ async function shortFilm(
     inset: false,
   };
   const { bytes } = await makeFilm(request, signal, (done) =>
-    tell(`Drawing the film: ${done} of ${times.length} frames`),
+    tell(messages.renderingFilm(done, times.length)),
   );
   return bytes;
 }
 
 async function fetched(address: string, signal: AbortSignal): Promise<Uint8Array> {
-  const name = new URL(address).pathname.split("/").at(-1);
+  const name = new URL(address).pathname.split("/").at(-1) ?? address;
   const answer = await fetch(address, { signal }).catch((problem) => {
     if (signal.aborted) throw problem;
     return null;
   });
   // A server for those who work on the page answers with a page.
   if (!answer?.ok || answer.headers.get("content-type")?.startsWith("text/html"))
-    throw new Error(`${name} could not be had from the site. Try again when there is a network.`);
+    throw new Error(messages.couldNotDownloadedTry(name));
   return new Uint8Array(await answer.arrayBuffer());
 }

@@ -27,7 +27,7 @@ import {
 } from "../work/mask";
 import { former, opened, takeFormer } from "../work/source";
 import { type Quarters, turnPicture } from "../work/turn";
-import { bringBackWords } from "./messages";
+import { bringBackWords } from "./bring-back";
 
 /** Between a picture and its outline: the mask and what mends it. */
 export function CutPanel() {

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { askedBy, optionsIn } from "./messages";
+import { askedBy, optionsIn } from "./protocol";
 
 it("is asked by what it knows, in whole, and says what it does not know", () => {
   expect(askedBy({ frond: 1, type: "play" })).toEqual({ type: "play" });
