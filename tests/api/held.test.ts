@@ -1,4 +1,4 @@
-/** The stage while a way point is moved: by the module that says how far a shape reaches. */
+/** The stage while a waypoint is moved: by the module that says how far a shape reaches. */
 import { readFile } from "node:fs/promises";
 import { beforeAll, expect, it } from "vitest";
 import { boxOf } from "#document/framing";
@@ -19,7 +19,7 @@ beforeAll(async () => {
   });
 });
 
-/** Moves the first way point, as a hand does. */
+/** Moves the first waypoint, as a hand does. */
 function move(u: number, v: number): void {
   edit((before) => ({ ...before, path: { kind: "drawn", points: [[u, v]] } }), { gesture: "way-drag-0" });
   hold([u, v]);
@@ -34,7 +34,7 @@ function isSeen(): boolean {
   return Math.max(...far) * scale < SIDE / 2;
 }
 
-it("shows all of the shape at a way point that is moved, however large it is there", () => {
+it("shows all of the shape at a waypoint that is moved, however large it is there", () => {
   move(0.5, 0.5);
   const before = effectiveView.value.scale;
   expect(isSeen()).toBe(true);

@@ -26,7 +26,7 @@ const HOSTILE: Record<string, string> = {
   "no attractor": "b=maps:0.5,0,0,0.5,0,0;2,0,0,2,0,0",
   "nearly no attractor": "a=maps:1,0,0,1,0,0",
   "65 maps": zeros(65),
-  "65 way points": `path=drawn:${Array(65).fill("0,0").join(";")}`,
+  "65 waypoints": `path=drawn:${Array(65).fill("0,0").join(";")}`,
   "far away": "path=drawn:1e300,0",
   "no time": "t=NaN",
   "an impossible match": "match=1,1,2",

@@ -12,7 +12,7 @@ const files = readdirSync(root, { recursive: true, encoding: "utf8" })
 const texts = new Map(files.map((path) => [path, readFileSync(join(root, path), "utf8")]));
 
 /** The rooms whose sentences all stand in catalogues. A room is added once it is done, and never leaves. */
-const DONE = ["shell"];
+const DONE = ["compute", "format", "shell", "stage"];
 
 /** Attributes and properties that a person reads or hears. */
 const READ =
@@ -104,6 +104,8 @@ const FOR_PROGRAMS: readonly (readonly [file: string, text: RegExp])[] = [
   // HTML that somebody copies or downloads.
   ["shell/ShareDialog.tsx", /<|style=/],
   ["shell/publish/folder.ts", /[<>{}]|^light dark$|^autoplay loop$/],
+  // The name of a gesture.
+  ["stage/handles/held.ts", /^turn keys$/],
   // What browsers and files say.
   ["shell/trouble.ts", /^ResizeObserver loop$/],
   ["shell/door/tell.ts", /^iTXtFrond link/],

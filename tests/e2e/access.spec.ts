@@ -18,7 +18,7 @@ test("axe finds nothing", async ({ studio, page }) => {
     }
   });
   await test.step("morph", () => expectClean(page));
-  await test.step("a way point and a bad number", async () => {
+  await test.step("a waypoint and a bad number", async () => {
     await studio.way(1).focus();
     const u = page.getByRole("spinbutton", { name: "turn and stretch, u" });
     await u.fill("many");
@@ -61,7 +61,7 @@ test("what changes is said aloud", async ({ studio, page }) => {
   for (let i = 0; i < 5; i++) await studio.time.press("PageUp");
   await expect(said).toHaveText(/^In pieces, gap [\d.]+%, by Frond’s own bounds$/);
   await studio.time.press("End");
-  await expect(said).toHaveText(/^(In one piece, proved|Looks whole at 1\/600)$/);
+  await expect(said).toHaveText(/^(In one piece, proved|No gap seenchecked to 1\/600 of its size)$/);
   await studio.way(1).count();
   await page.getByRole("button", { name: "Swap A and B" }).click();
   await expect(said).toHaveText("Swapped: from Gasket to Dragon of three.");

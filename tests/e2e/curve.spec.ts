@@ -251,7 +251,7 @@ test("the panel leads back to the systems, which were there all the time", async
   await studio.drawn();
   await page.getByRole("button", { name: "Back to systems of maps" }).click();
   await expect(card(page, "A")).toHaveAccessibleName(/^Shape A: Gasket/);
-  await expect(page.getByRole("heading", { name: "Where it holds together" })).toBeVisible();
+  await expect(page.getByRole("heading", { name: "Where it stays in one piece" })).toBeVisible();
   await page.getByRole("button", { name: "Undo" }).click();
   await expect(card(page, "A")).toHaveAccessibleName(/^Shape A: Maple/);
 });

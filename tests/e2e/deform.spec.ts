@@ -78,11 +78,11 @@ test("detail takes locality along and gives it back, and bad numbers are refused
   expect((await studio.scene()).deform).toMatchObject({ ke: 6, kb: 5 });
   await locality.fill("7");
   await locality.press("Enter");
-  await expect(page.getByText("At most 6, please.")).toBeVisible();
+  await expect(page.getByText("Enter at most 6.")).toBeVisible();
   const roughness = page.getByRole("spinbutton", { name: /^Roughness/ });
   await roughness.fill("lots");
   await roughness.press("Enter");
-  await expect(page.getByText("A number cannot have “lots” in it.")).toBeVisible();
+  await expect(page.getByText("A number cannot contain “lots”.")).toBeVisible();
   expect((await studio.scene()).deform).toMatchObject({ kb: 5, delta: 0.75 });
   await page.getByRole("switch", { name: "Differs from corner to corner" }).check();
   await page.getByRole("spinbutton", { name: "Upper right" }).fill("1.25");

@@ -55,7 +55,7 @@ test("where they hold together on the way is drawn, and a press on it goes to th
   page,
 }) => {
   await studio.open(LINK);
-  const map = page.getByRole("region", { name: "Where it holds together" });
+  const map = page.getByRole("region", { name: "Where it stays in one piece" });
   await map.scrollIntoViewIfNeeded();
   await expect(map.getByRole("list", { name: "Legend" })).toContainText("in pieces");
   const square = map.locator(".locus-square");
@@ -109,7 +109,7 @@ test("what changes is said aloud", async ({ studio, page }) => {
     await page.waitForTimeout(2000);
     await time.fill("50");
     await time.press("Enter");
-    await expect(said).toHaveText("Looks whole at 1/600", { timeout: 5000 });
+    await expect(said).toHaveText("No gap seen, checked to 1/600 of its size", { timeout: 5000 });
   }).toPass();
   await time.fill("0");
   await time.press("Enter");

@@ -23,7 +23,7 @@ test("the verdict tells why, and gives the focus back", async ({ studio, page })
   // It follows the picture.
   await studio.time.press("Home");
   await expect(page.getByRole("region", { name: "In one piece, proved" })).toBeVisible();
-  await page.getByRole("button", { name: "Close the evidence" }).press("Escape");
+  await page.getByRole("button", { name: "Close the explanation" }).press("Escape");
   await expect(studio.verdict).toBeFocused();
   await expect(studio.verdict).toHaveAttribute("aria-expanded", "false");
   // Escape closes it from anywhere, and it never lies over the maps that are asked for.
@@ -76,7 +76,7 @@ test("one piece comes with a reason, and marks on the picture that can be kept",
   await expect(page.getByTestId("evidence-reason")).toContainText(/\w+/);
   await expect(marks.first()).toBeAttached();
   await page.getByRole("switch", { name: "Keep the marks on the picture" }).check();
-  await page.getByRole("button", { name: "Close the evidence" }).click();
+  await page.getByRole("button", { name: "Close the explanation" }).click();
   await expect(marks.first()).toBeAttached();
 });
 
@@ -84,10 +84,12 @@ test("a proof of pieces is checked and can be taken away", async ({ studio, page
   // No pixel shows this gap: the words, their reason and the strip speak of it all the same.
   await studio.open("a=terdragon&b=gasket&path=straight&t=0.995");
   await studio.idle();
-  await expect(studio.verdict).toHaveText("In piecesgap 0.056%, finer than 1/600, by Frond’s own bounds");
+  await expect(studio.verdict).toHaveText(
+    "In piecesgap 0.056%, under 1/600 of its size, by Frond’s own bounds",
+  );
   await expect(studio.time).toHaveAttribute(
     "aria-valuetext",
-    /in pieces, gap 0\.056%, finer than 1\/600, by Frond’s own bounds$/,
+    /in pieces, gap 0\.056%, under 1\/600 of its size, by Frond’s own bounds$/,
   );
   await studio.verdict.click();
   const panel = page.getByRole("region", { name: /^In pieces/ });

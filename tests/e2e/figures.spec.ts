@@ -87,9 +87,9 @@ test("a morph can be led across by keys", async ({ page }) => {
   await expect(page.getByTestId("truth")).toContainText("It first breaks at 0.55");
   await expect(page.getByText(/^widest gap 4\.\d%/)).toBeVisible();
   const question = page.getByRole("region", { name: "What do you think?" });
-  const turn = question.getByRole("slider", { name: /^Way point u/ });
+  const turn = question.getByRole("slider", { name: /^Waypoint u/ });
   for (let i = 0; i < 10; i++) await turn.press("ArrowLeft");
-  await expect(page.getByText("Looks whole at 1/600")).toBeVisible();
+  await expect(page.getByText("No gap seen, checked to 1/600 of its size")).toBeVisible();
 });
 
 test("the set M is shown, with its landmarks", async ({ page }) => {
@@ -110,7 +110,7 @@ test("the pairing that holds is found", async ({ page }) => {
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.getByText("You said P. Q holds together.")).toBeVisible();
   await expect(page.getByText("In pieces", { exact: true })).toHaveCount(2);
-  await expect(page.getByText("Looks whole", { exact: true })).toHaveCount(1);
+  await expect(page.getByText("No gap seen", { exact: true })).toHaveCount(1);
 });
 
 test("an exercise says how far one is, gives hints, and stays marked once it is solved", async ({ page }) => {
@@ -168,7 +168,7 @@ test("Figures 3 and 4 part half-way", async ({ page }) => {
   await expect(page.getByText("determinant of map 1: 0.250")).toBeVisible();
   const film = page.getByRole("list", { name: "Figure 3: frames" }).getByRole("button");
   await expect(film.filter({ hasText: "in pieces" })).toHaveCount(7);
-  await expect(film.filter({ hasText: /one piece|looks whole/ })).toHaveCount(2);
+  await expect(film.filter({ hasText: /one piece|no gap seen/ })).toHaveCount(2);
 });
 
 test("Figure 5 breaks where Figure 6 holds", async ({ page }) => {
@@ -182,7 +182,7 @@ test("Figure 5 breaks where Figure 6 holds", async ({ page }) => {
     page
       .getByRole("main")
       .getByRole("button")
-      .filter({ hasText: /one piece|looks whole/ }),
+      .filter({ hasText: /one piece|no gap seen/ }),
   ).toHaveCount(10);
   await expect(broken).toHaveCount(0);
 });
@@ -192,7 +192,7 @@ test("Figure 7 says what lies under the ring", async ({ page }) => {
   const turn = page.getByRole("slider", { name: "u, turn and stretch" });
   await expect(turn).toHaveAttribute("aria-valuetext", /in pieces, gap/);
   await turn.press("Home");
-  await expect(turn).toHaveAttribute("aria-valuetext", /in one piece, proved|looks whole/);
+  await expect(turn).toHaveAttribute("aria-valuetext", /in one piece, proved|no gap seen/);
   await expect(page.getByText("all computed")).toBeVisible({ timeout: 30_000 });
 });
 

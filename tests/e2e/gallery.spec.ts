@@ -83,7 +83,7 @@ test("the ends are swapped, and made the same", async ({ studio, page }) => {
 });
 
 test("swapped ends run the same morph backwards", async ({ studio, page }) => {
-  // Map 2 turns by half a turn, which is as short either way.
+  // Map 2 turns by half a turn, which is equally short in either direction.
   await studio.open("a=dragon-3&b=gasket&t=0.5");
   await studio.idle();
   const [before, there] = [await studio.look(), (await studio.scene()).path.points];
@@ -140,5 +140,5 @@ test("a shape is found by its name, the focus comes back to its card, and the ba
   await page.locator("body").press("d");
   await expect(
     page.getByRole("status").filter({ hasText: "Lévy curve: 2 copies, each 0.707 as large" }),
-  ).toContainText("its own mirror image across an upright line");
+  ).toContainText("its own mirror image across a vertical line");
 });

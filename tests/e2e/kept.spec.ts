@@ -10,7 +10,7 @@ const GO_ON = /Go on with/;
 /** Draws a path, and waits until it is kept. */
 async function make(studio: Studio, page: Page): Promise<void> {
   await page.getByRole("radio", { name: "Drawn" }).check();
-  await page.getByRole("button", { name: "Add way point" }).click();
+  await page.getByRole("button", { name: "Add waypoint" }).click();
   await expect(page).toHaveURL(/#/);
   await studio.idle();
   await expect.poll(() => page.evaluate(() => sessionStorage.getItem("frond.kept"))).not.toBeNull();
@@ -32,7 +32,7 @@ test("a bare address offers what was made, a first visit and a link do not", asy
   await studio.idle();
   await expect(studio.toasts).not.toContainText(GO_ON);
   await page.getByRole("radio", { name: "Drawn" }).check();
-  await page.getByRole("button", { name: "Add way point" }).click();
+  await page.getByRole("button", { name: "Add waypoint" }).click();
   const list = await openRecent(page);
   await expect(list.getByRole("listitem")).toHaveCount(2);
   await list
@@ -56,7 +56,7 @@ test("a reload goes on with the same document", async ({ studio, page }) => {
   await studio.time.waitFor();
   await studio.idle();
   await expect(studio.toasts).not.toContainText(GO_ON);
-  await page.getByRole("button", { name: "Add way point" }).click();
+  await page.getByRole("button", { name: "Add waypoint" }).click();
   const list = await openRecent(page);
   await expect(list.getByRole("listitem")).toHaveCount(1);
 });
@@ -81,7 +81,7 @@ test("without a store the page says so once, and works", async ({ studio, page }
   await page.addInitScript(() => Object.defineProperty(window, "indexedDB", { value: undefined }));
   await studio.open();
   await page.getByRole("radio", { name: "Drawn" }).check();
-  await page.getByRole("button", { name: "Add way point" }).click();
+  await page.getByRole("button", { name: "Add waypoint" }).click();
   await expect(studio.toasts).toContainText("Your work is not being saved.");
   await expect(page).toHaveURL(/path=/);
 });

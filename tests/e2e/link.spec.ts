@@ -12,7 +12,7 @@ test("reloading restores the document and the very same picture", async ({ studi
   await page.getByRole("radio", { name: "Drawn" }).check();
   await studio.time.focus();
   await studio.time.press("PageUp");
-  await page.getByRole("button", { name: "Add way point" }).click();
+  await page.getByRole("button", { name: "Add waypoint" }).click();
   await page.keyboard.press("Alt+ArrowRight");
   await page.getByRole("button", { name: "Edit the maps of B" }).click();
   const turn = page.getByRole("spinbutton", { name: "Turn", exact: true });

@@ -80,7 +80,7 @@ test("maps are changed by hand, by numbers and by keys, and their number, too", 
     await page.locator("body").press("Shift+E");
     const table = page.getByRole("region", { name: "Its parameters", exact: true });
     await expect(table).toContainText("All as taken");
-    await page.getByRole("button", { name: /^The whole shape, only turns it/ }).press("ArrowLeft");
+    await page.getByRole("button", { name: /^The full shape, only turns it/ }).press("ArrowLeft");
     await page.getByRole("spinbutton", { name: "Turned" }).fill("85");
     await page.getByRole("spinbutton", { name: "Turned" }).press("Enter");
     await expect(table).toContainText(

@@ -8,9 +8,9 @@ test("a link to a step of a lesson opens it as it was, and is copied again", asy
   const question = page.getByRole("region", { name: "What do you think?" });
   await expect(question).toBeFocused();
   await expect(question.getByTestId("truth")).toContainText("You said t = 0.31.");
-  await expect(question.getByRole("slider", { name: "Way point v, move" })).toHaveValue("0.85");
+  await expect(question.getByRole("slider", { name: "Waypoint v, move" })).toHaveValue("0.85");
 
-  await question.getByRole("slider", { name: "Way point v, move" }).press("ArrowRight");
+  await question.getByRole("slider", { name: "Waypoint v, move" }).press("ArrowRight");
   await question.getByRole("button", { name: "Copy a link to this step" }).click();
   await expect(page.getByText("Link copied.")).toBeVisible();
   const copied = new URL(await page.evaluate(() => navigator.clipboard.readText())).hash;

@@ -2,7 +2,7 @@ import { expect, test } from "./fixture";
 
 const TWO = "a=dragon-3&b=gasket&path=drawn:0.2,0.8;0.6,0.9&t=0.5";
 
-test("a way point is moved by the mouse, by numbers and by keys", async ({ studio, page }) => {
+test("a waypoint is moved by the mouse, by numbers and by keys", async ({ studio, page }) => {
   await studio.open(TWO);
   await test.step("dragged: one step of undo", async () => {
     const before = await studio.look();
@@ -66,12 +66,12 @@ test("a way point is moved by the mouse, by numbers and by keys", async ({ studi
     await page.keyboard.press("Delete");
     await expect(studio.way(1)).toBeFocused();
     await page.keyboard.press("Delete");
-    await expect(studio.way(1)).toHaveAccessibleName("Way point 1 of 1");
+    await expect(studio.way(1)).toHaveAccessibleName("Waypoint 1 of 1");
     await expect(studio.way(1)).toBeFocused();
     expect((await studio.scene()).path.points).toEqual([[0.6, 0.9]]);
     await page.keyboard.press("Delete");
     expect((await studio.scene()).path).toEqual({ kind: "drawn", points: [] });
-    await expect(page.getByRole("slider", { name: "Place on the path" })).toBeFocused();
+    await expect(page.getByRole("slider", { name: "Position on the path" })).toBeFocused();
   });
 });
 
@@ -87,8 +87,8 @@ test("the straight path is gone along, and bent, by the mouse", async ({ studio,
     expect((await studio.scene()).t).toBeCloseTo(0.55, 1);
     expect((await studio.scene()).path.kind).toBe("straight");
   });
-  await test.step("way points are added and taken away", async () => {
-    // Twice on the path makes a way point there.
+  await test.step("waypoints are added and taken away", async () => {
+    // Twice on the path makes a waypoint there.
     const here = await studio.place(0.6, 0.61);
     await page.mouse.dblclick(here.x, here.y);
     const { path } = await studio.scene();
@@ -96,14 +96,14 @@ test("the straight path is gone along, and bent, by the mouse", async ({ studio,
     expect(path.points).toHaveLength(1);
     expect(path.points[0]?.[0]).toBeCloseTo(0.6, 1);
     await expect(page.getByRole("radio", { name: "Drawn" })).toBeChecked();
-    await page.getByRole("button", { name: "Remove this way point" }).click();
+    await page.getByRole("button", { name: "Remove this waypoint" }).click();
     expect((await studio.scene()).path.points).toEqual([]);
 
     // Where the picture is now; the picture stays.
     await studio.time.press("Home");
     for (let i = 0; i < 4; i++) await studio.time.press("PageUp");
     const before = await studio.look();
-    await page.getByRole("button", { name: "Add way point" }).click();
+    await page.getByRole("button", { name: "Add waypoint" }).click();
     expect((await studio.scene()).path.points).toEqual([[0.4, 0.4]]);
     expect(await studio.look()).toEqual(before);
     const point = await studio.place(0.4, 0.4);
@@ -122,38 +122,38 @@ test("the automatic path holds where the straight one breaks", async ({ studio, 
   await studio.idle();
   // It comes to the gasket where it holds exactly: nothing is known to be in pieces, however closely one looks.
   await expect(words).toHaveText(
-    /^In one piece, proved, at \d+% of the moments looked at\. The others look whole at 1\/600\./,
+    /^In one piece, proved, at \d+% of the sampled moments\. At the others no gap above 1\/600 was seen\./,
   );
   await expect(page.getByRole("button", { name: "Prove it for every moment" })).toBeVisible();
   expect((await studio.scene()).path.points.length).toBeGreaterThan(0);
   const film = page.getByRole("list", { name: "Film of the morph" }).getByRole("button");
   await expect(film).toHaveCount(13);
   for (const frame of await film.all())
-    await expect(frame).toHaveAccessibleName(/in one piece, proved|looks whole at 1\/600/);
+    await expect(frame).toHaveAccessibleName(/in one piece, proved|no gap seen/);
   await studio.time.focus();
   await studio.time.press("Home");
   for (let i = 0; i < 5; i++) await studio.time.press("PageUp");
   await studio.idle();
-  await expect(studio.verdict).toHaveText(/In one piece, proved|Looks whole at 1\/600/);
+  await expect(studio.verdict).toHaveText(/In one piece, proved|No gap seen/);
   // Where a path is in pieces that no pixel shows, what is proved is said all the same, and no proof is offered that it
   // is whole.
   await studio.open("a=dragon-3&b=gasket&path=drawn:-0.125,1.15625;0.5,1.75;0.9375,1.59375;1,1.125");
   await studio.idle();
   await expect(words).toHaveText(
-    /^In pieces between 9\d%.*, gap 0\.1\d%, finer than 1\/600, by Frond’s own bounds\.\s*$/,
+    /^In pieces between 9\d%.*, gap 0\.1\d%, under 1\/600 of its size, by Frond’s own bounds\.\s*$/,
   );
   await expect(page.getByRole("button", { name: "Prove how narrow its gaps stay" })).toBeVisible();
 });
 
-test("a path has 64 way points at most", async ({ studio, page }) => {
+test("a path has 64 waypoints at most", async ({ studio, page }) => {
   const points = Array.from({ length: 63 }, (_, i) => `${i / 63},${i % 2}`).join(";");
   await studio.open(`a=dragon-3&b=gasket&path=drawn:${points}`);
-  const add = page.getByRole("button", { name: "Add way point" });
+  const add = page.getByRole("button", { name: "Add waypoint" });
   await add.click();
   expect((await studio.scene()).path.points).toHaveLength(64);
   await page.keyboard.press("+");
   expect((await studio.scene()).path.points).toHaveLength(64);
-  await page.getByRole("slider", { name: "Place on the path" }).focus();
+  await page.getByRole("slider", { name: "Position on the path" }).focus();
   await expect(add).toBeDisabled();
   await expect(page).toHaveURL(/path=drawn/);
 });
@@ -163,7 +163,7 @@ test("where the automatic path breaks, a way that holds is found and offered", a
   const use = page.getByRole("button", { name: "Use it" });
   await use.waitFor({ timeout: 60_000 });
   await expect(page.locator(".side")).toContainText(
-    "Matching joint by joint keeps the morph in one piece, up to rounding.",
+    "Pairing joint by joint keeps the morph in one piece, up to rounding.",
   );
   // Nothing was changed before it is asked for.
   const before = await studio.scene();

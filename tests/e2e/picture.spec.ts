@@ -169,8 +169,8 @@ test("turning and linear stand side by side", { tag: "@webgpu" }, async ({ studi
   const alone = await studio.look();
   await page.getByRole("switch", { name: /side by side/ }).check();
   await expect(page.locator(".pane canvas")).toHaveCount(2);
-  await expect(page.getByText("Turning and stretching (polar)")).toBeVisible();
-  await expect(page.getByText("Number by number (linear)")).toBeVisible();
+  await expect(page.getByText("By rotation (polar)")).toBeVisible();
+  await expect(page.getByText("Entry by entry (linear)")).toBeVisible();
   const half = await studio.look();
   expect(half.width).toBeLessThan(0.6 * alone.width);
   expect(half.lit).toBeGreaterThan(1000);

@@ -10,14 +10,14 @@ test("a path is proved end to end, until it changes", async ({ studio, page }) =
   await expect(page.getByRole("button", { name: "Prove it for every moment" })).toBeVisible();
 });
 
-test("a way point says where the path breaks, and takes a third number", async ({ studio, page }) => {
+test("a waypoint says where the path breaks, and takes a third number", async ({ studio, page }) => {
   await studio.open("a=dragon-3&b=gasket&path=drawn:0.6,0.5");
   await studio.idle();
   await studio.way(1).focus();
   await expect(page.locator(".way-point legend")).toHaveText(
-    /Way point 1 of 1 in pieces, gap [\d.]+%, by Frond’s own bounds, breaks on the way to it/,
+    /Waypoint 1 of 1 in pieces, gap [\d.]+%, by Frond’s own bounds, breaks on the way to it/,
   );
-  const w = page.getByRole("spinbutton", { name: "stretch ahead, w" });
+  const w = page.getByRole("spinbutton", { name: "stretch lead, w" });
   await expect(w).toHaveCount(0);
   await page.locator(".way-tools").getByText("w", { exact: true }).click();
   await w.fill("0.25");
@@ -36,7 +36,7 @@ test("another way to match is one step", async ({ studio, page }) => {
   const ways = page.getByRole("radiogroup", { name: "Ways to match" }).getByRole("radio");
   await expect(page.getByText(/^The best first/)).toBeVisible();
   expect(await ways.count()).toBeGreaterThan(1);
-  await expect(ways.first()).toHaveAccessibleName(/: (looks whole all the way|gap [\d.]+%)$/);
+  await expect(ways.first()).toHaveAccessibleName(/: (no gap seen anywhere|gap [\d.]+%)$/);
   // Links of before have the half turn of map 2 counter-clockwise.
   const own = { name: /^each keeps its number; one turns differently: /, checked: true };
   await expect(page.getByRole("radio", own)).toHaveCount(1);

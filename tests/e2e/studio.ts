@@ -129,9 +129,9 @@ export class Studio {
     }, which);
   }
 
-  /** The handle of a way point, by number from 1. */
+  /** The handle of a waypoint, by number from 1. */
   way(number: number): Locator {
-    return this.square.getByRole("slider", { name: new RegExp(`^Way point ${number} of `) });
+    return this.square.getByRole("slider", { name: new RegExp(`^Waypoint ${number} of `) });
   }
 
   /** Where a point of the (u, v) plane is on the page. */

@@ -1,7 +1,7 @@
 import { Finger } from "./finger";
 import { expect, test } from "./fixture";
 
-test("a way point is dragged with a finger: one step of undo", async ({ studio, page }) => {
+test("a waypoint is dragged with a finger: one step of undo", async ({ studio, page }) => {
   await studio.open("a=dragon-3&b=gasket&path=drawn:0.2,0.8&t=0.5");
   await studio.square.evaluate((square) => square.scrollIntoView({ block: "center" }));
   const before = await studio.look();
@@ -16,11 +16,11 @@ test("a way point is dragged with a finger: one step of undo", async ({ studio, 
   await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
 });
 
-test("way points are added and taken away with a finger", async ({ studio, page }) => {
+test("waypoints are added and taken away with a finger", async ({ studio, page }) => {
   await studio.open("a=dragon-3&b=gasket&path=straight&t=0.5");
-  await page.getByRole("button", { name: "Add way point" }).tap();
+  await page.getByRole("button", { name: "Add waypoint" }).tap();
   expect((await studio.scene()).path).toEqual({ kind: "drawn", points: [[0.5, 0.5]] });
-  await page.getByRole("button", { name: "Remove this way point" }).tap();
+  await page.getByRole("button", { name: "Remove this waypoint" }).tap();
   expect((await studio.scene()).path.points).toEqual([]);
 });
 

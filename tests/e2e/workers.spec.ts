@@ -19,11 +19,11 @@ async function watchProgress({ page }: Studio): Promise<() => Promise<number[]>>
 
 async function expectWhole({ page, time }: Studio): Promise<void> {
   await expect(page.locator(".locus-progress")).toHaveCount(0);
-  const place = page.getByRole("slider", { name: "Place on the path" });
+  const place = page.getByRole("slider", { name: "Position on the path" });
   await time.press("Home");
-  await expect(place).toHaveAttribute("aria-valuetext", /^0% of the path, (in one piece|looks whole)/);
+  await expect(place).toHaveAttribute("aria-valuetext", /^0% of the path, (in one piece|no gap seen)/);
   await time.press("End");
-  await expect(place).toHaveAttribute("aria-valuetext", /^100% of the way, (in one piece|looks whole)/);
+  await expect(place).toHaveAttribute("aria-valuetext", /^100% of the path, (in one piece|no gap seen)/);
 }
 
 test("the locus comes coarse to fine, and holds both ends", async ({ studio }) => {
@@ -42,10 +42,10 @@ test("what holds as far as can be seen is proved at rest, and anew after a chang
 }) => {
   const legend = page.getByRole("list", { name: "Legend" });
   await studio.open("a=dragon-3&b=gasket&path=straight&t=0.5");
-  await expect(legend).toContainText(/proved: 9\d% of what holds/, { timeout: 30_000 });
+  await expect(legend).toContainText(/proved \(9\d% of the pale area\)/, { timeout: 30_000 });
   await page.getByRole("button", { name: "Swap A and B" }).click();
   await expect(legend).toContainText(/proved: [1-4]?\d% of what holds/);
-  await expect(legend).toContainText(/proved: 9\d% of what holds/, { timeout: 30_000 });
+  await expect(legend).toContainText(/proved \(9\d% of the pale area\)/, { timeout: 30_000 });
 });
 
 test("a worker that dies in the middle is replaced, and nothing is missing", async ({ studio, page }) => {

@@ -10,7 +10,7 @@ use crate::fit::Fit;
 use crate::preset::{Row, preset};
 use crate::space::SpacePart;
 
-/// The most way points a path may have between its ends.
+/// The most waypoints a path may have between its ends.
 pub const MAX_WAY_POINTS: usize = 64;
 
 /// One end of a morph.
@@ -110,7 +110,7 @@ impl TryFrom<Vec<f64>> for WayPoint {
     type Error = &'static str;
 
     fn try_from(numbers: Vec<f64>) -> Result<Self, Self::Error> {
-        Self::from_numbers(&numbers).ok_or("a way point has two or three numbers")
+        Self::from_numbers(&numbers).ok_or("a waypoint has two or three numbers")
     }
 }
 
@@ -119,7 +119,7 @@ impl TryFrom<Vec<f64>> for WayPoint {
 pub struct Path {
     /// Who drew it.
     pub kind: PathKind,
-    /// The way points in between.
+    /// The waypoints in between.
     pub points: Vec<WayPoint>,
 }
 

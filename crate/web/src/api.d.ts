@@ -359,7 +359,7 @@ export interface Scene {
   mode: Mode;
   path: {
     kind: PathKind;
-    /** Way points between (0,0) and (1,1), which are not listed. At most 64. */
+    /** Waypoints between (0,0) and (1,1), which are not listed. At most 64. */
     points: PathPoint[];
   };
   /** Where along the path, by length in (u, v): 0 to 1. */

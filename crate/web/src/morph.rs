@@ -66,7 +66,7 @@ impl LinkedMorph {
         self.scene.path.kind == PathKind::Auto && self.scene.path.points.is_empty()
     }
 
-    /// The way points between the ends: u, v and w of each.
+    /// The waypoints between the ends: u, v and w of each.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn path(&self) -> Vec<f64> {

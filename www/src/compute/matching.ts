@@ -7,6 +7,7 @@ import type { Candidate, MapRow, Mode, RatedCandidate } from "#wasm/api";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import type { Job, Kind, Task } from "#workers/pool/protocol";
 import { EPSILON } from "./locus/job";
+import * as messages from "./messages";
 
 /** How many ways to match are offered. */
 const MOST_MATCHINGS = 12;
@@ -99,7 +100,7 @@ function matchJob({ from, to, mode }: Matchings): Job<"candidates" | "rate"> {
         ...now,
         done: all ? now.done : now.done + 1,
         of: all ? 0 : now.of,
-        problem: all ? `Other ways to match could not be found: ${wordsOf(error)}` : now.problem,
+        problem: all ? messages.pairingsFailed(wordsOf(error)) : now.problem,
       }));
     },
   };

@@ -7,6 +7,7 @@ import { cancel, submit, workers } from "#workers/pool/engine";
 import { single, type Task } from "#workers/pool/protocol";
 import { inputs as morph } from "./inputs";
 import { BOUNDS, EPSILON, type LocusInputs, type LocusWork } from "./locus/job";
+import * as messages from "./messages";
 import { publish } from "./results";
 
 const MOST_POINTS = 64;
@@ -53,7 +54,7 @@ export function planFrom(work: LocusWork, stride: number): void {
         publish.plan.value = plan;
         found.value = { inputs, plan, whole: stride === 1 };
       },
-      fail: (error) => notify({ kind: "error", text: `No path could be planned: ${wordsOf(error)}` }),
+      fail: (error) => notify({ kind: "error", text: messages.planFailed(wordsOf(error)) }),
     }),
   );
 }

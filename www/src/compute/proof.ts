@@ -6,6 +6,7 @@ import { RESOLUTION, type Told } from "#format/verdict";
 import type { Certificate, CertificateCheck, ConnectedCertificate, MapRow } from "#wasm/api";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import { single } from "#workers/pool/protocol";
+import * as messages from "./messages";
 import { verdict } from "./results";
 
 /** A proof that the shape on the stage is in one piece, or in several. */
@@ -54,7 +55,7 @@ export function prove(): void {
           set(
             found
               ? { state: "there", maps, ...found }
-              : { state: "none", maps, why: "It would need more pieces than Frond looks at." },
+              : { state: "none", maps, why: messages.proofWouldNeedMore },
           ),
         fail: (error) => set({ state: "none", maps, why: wordsOf(error) }),
       },

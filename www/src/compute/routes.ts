@@ -6,6 +6,7 @@ import { remade, sameWeighted, weighted } from "#geometry/maps/weighted";
 import type { Route, Shape } from "#wasm/api";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import { single } from "#workers/pool/protocol";
+import * as messages from "./messages";
 
 /** Ways to bring two shapes to a morph. */
 export interface Routes {
@@ -49,8 +50,7 @@ export function lookForRoutes(): void {
       },
       {
         accept: (list) => set({ list }),
-        fail: (error) =>
-          set({ list: [], problem: `The ways across could not be worked out: ${wordsOf(error)}` }),
+        fail: (error) => set({ list: [], problem: messages.routesFailed(wordsOf(error)) }),
       },
     ),
   );

@@ -5,6 +5,7 @@ import { scheduleCertify } from "./certify";
 import type { CardChoice } from "./locus/card/trial";
 import { scheduleLocus } from "./locus/schedule";
 import { scheduleMatching } from "./matching";
+import * as messages from "./messages";
 import { schedulePlan } from "./plan";
 import { scheduleProof } from "./proof";
 import { stuck } from "./results";
@@ -36,5 +37,5 @@ export function startSchedules(options: { card: CardChoice }): void {
 }
 
 function notFetched(problem: unknown): void {
-  notify({ kind: "error", text: `Other ways could not be looked for: ${wordsOf(problem)}` });
+  notify({ kind: "error", text: messages.searchFailed(wordsOf(problem)) });
 }

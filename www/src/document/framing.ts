@@ -72,7 +72,7 @@ const elsewhere = computed(
   () => !standIn.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
 );
 
-/** The box of the shape at a way point that is being moved: that may lie far from what the path shows. */
+/** The box of the shape at a waypoint that is being moved: that may lie far from what the path shows. */
 export const heldBox: ReadonlySignal<Box | null> = computed(() => held.value && boxOf(shown.value));
 
 /** How much larger than the shape a mesh around it is, on each side. */

@@ -148,10 +148,10 @@ export const FIRST_S: Uv = [0.5, 0.5];
 
 const heldPoint = signal<Uv | null>(null);
 
-/** The way point that a hand or a key has hold of, for as long as it does: the picture shows what is there. */
+/** The waypoint that a hand or a key has hold of, for as long as it does: the picture shows what is there. */
 export const held: ReadonlySignal<Uv | null> = computed(() => (inGesture.value ? heldPoint.value : null));
 
-/** A way point is moved in the gesture that is under way. */
+/** A waypoint is moved in the gesture that is under way. */
 export function hold(point: Uv): void {
   heldPoint.value = point;
 }
@@ -161,7 +161,7 @@ effect(() => {
 });
 
 /**
- * The parameter that the picture shows: on the path, or that which was picked off it, or where a way point is being
+ * The parameter that the picture shows: on the path, or that which was picked off it, or where a waypoint is being
  * moved; of a polygon family, s.
  */
 export const here: ReadonlySignal<Uv> = computed(

@@ -1,6 +1,7 @@
 /** Closed curves as text. */
 import type { Curve } from "#wasm/api";
 import type { CurveMap } from "#wasm/curve";
+import * as messages from "./messages";
 
 const short = (x: number) => Number(x.toPrecision(9));
 
@@ -15,11 +16,10 @@ export function curveJson(
     {
       kind: "closed curve",
       name,
-      about:
-        "Edge i runs from knot i to the next. It is straight (null), or a copy of the arc over `span` edges from knot `from`: map is [a, b, c, d, e, f], x' = a x + b y + e, y' = c x + d y + f. Indices count from 0, y points up.",
+      about: messages.edgeIRunsFrom,
       knots,
       edges: edges.map((edge, i) => (edge ? { ...edge, map: maps[i]?.map?.map(short) ?? null } : null)),
-      ...(figures ? { figures: { unit: "percent of the diagonal of the outline's box", ...figures } } : {}),
+      ...(figures ? { figures: { unit: messages.percentDiagonalOutlinesBounding, ...figures } } : {}),
     },
     null,
     1,
@@ -37,13 +37,12 @@ export function splineJson(
     {
       kind: "corners and parabolas",
       name,
-      about:
-        "A closed curve. A node that is `on` it is a corner; any other is the middle control point of a parabola (a quadratic Bézier segment). Two of these side by side have a joint halfway. `word` is all of it in base 64 (URL-safe): it takes so many `bytes`. y points up.",
+      about: messages.closedCurveNodeOn,
       word,
       bytes,
       grid,
       nodes,
-      ...(figures ? { figures: { unit: "percent of the diagonal of the outline's box", ...figures } } : {}),
+      ...(figures ? { figures: { unit: messages.percentDiagonalOutlinesBounding, ...figures } } : {}),
     },
     null,
     1,

@@ -1,8 +1,9 @@
 /** Numbers as people type them: decimals, fractions, roots, and formulas of these. */
+import * as messages from "./messages";
 
 export type Parsed = { ok: true; value: number } | { ok: false; message: string };
 
-const HINT = "Type a number such as 0.5, 1/3 or √3/2.";
+const HINT = messages.typeNumberSuchAs;
 /** No formula for one number is longer; so neither is the way into its brackets. */
 const LONGEST = 200;
 
@@ -118,7 +119,7 @@ function single(reader: Reader): number {
   if (typeof token === "number") return token;
   if (token === "(") {
     const value = sum(reader);
-    if (!reader.has(")")) throw new Refusal("A bracket is open: a number needs as many ) as (.");
+    if (!reader.has(")")) throw new Refusal(messages.bracketStillOpenEach);
     return value;
   }
   if (token === undefined) throw new Refusal(HINT);
@@ -129,12 +130,14 @@ function single(reader: Reader): number {
 }
 
 function unexpected(token: number | string): Refusal {
-  if (token === ")") return new Refusal("A bracket is closed that was not open.");
+  if (token === ")") return new Refusal(messages.thereWithout);
   if (typeof token === "string" && /^[a-z]/.test(token) && !Object.hasOwn(SUFFIXES, token))
     return new Refusal(
       token === "log"
-        ? "Of which base? Write ln, log2 or log10."
-        : `A number cannot have “${token}” in it. Known are sqrt, sin, cos, tan, exp, ln, abs, pi and e.`,
+        ? messages.chooseBaseWriteLn
+        : token === "i"
+          ? messages.noComplexNumbers
+          : messages.unknownInNumber(token),
     );
   return new Refusal(HINT);
 }
@@ -180,7 +183,7 @@ function withoutUnit(input: string, unit: string | undefined): string {
  * stands at the end, and is of all. The result is finite or it is a message that says what to type.
  */
 export function parseNumber(input: string, unit?: string): Parsed {
-  if (input.length > LONGEST) return { ok: false, message: `${HINT} This is too long.` };
+  if (input.length > LONGEST) return { ok: false, message: messages.tooLong(HINT) };
   let text = plain(withoutUnit(input, unit));
   const percent = text.endsWith("%");
   if (percent) text = text.slice(0, -1);
@@ -191,7 +194,7 @@ export function parseNumber(input: string, unit?: string): Parsed {
     if (!Number.isFinite(value))
       return {
         ok: false,
-        message: "That number is too large, divides by zero, or is the root of something negative.",
+        message: messages.resultTooLargeDivides,
       };
     return { ok: true, value: value === 0 ? 0 : value };
   } catch (problem) {

@@ -18,20 +18,20 @@ test("the nearest of the others is named, in whatever order they come", () => {
   ];
   for (const list of [others, [...others].reverse()]) {
     expect(nearestWords(0.058, list)).toBe(
-      "1.2 times as near as the best of the others, polyline, best corners.",
+      "1.2 times as accurate as the next best (polyline, best corners).",
     );
-    expect(nearestWords(0.067, list)).toBe(
-      "About as near as the best of the others, polyline, best corners.",
+    expect(nearestWords(0.067, list)).toBe("About as accurate as the next best (polyline, best corners).");
+    expect(nearestWords(0.102, list)).toBe(
+      "Here another method is more accurate: polyline, best corners, 0.0670%.",
     );
-    expect(nearestWords(0.102, list)).toBe("Here polyline, best corners is nearer: 0.0670%.");
   }
   expect(nearestWords(0.1, [])).toBe("");
 });
 
 test("errors that are rounding have no ratio", () => {
   const line = (rms: number) => [{ name: "Polyline", rms }];
-  expect(nearestWords(0, line(0))).toBe("Exact, as is the best of the others, polyline.");
-  expect(nearestWords(4e-15, line(1e-15))).toBe("Exact, as is the best of the others, polyline.");
-  expect(nearestWords(0, line(0.123))).toBe("Exact; the best of the others, polyline, is 0.123% off.");
-  expect(nearestWords(0.123, line(0))).toBe("Here polyline is nearer: 0.0000%.");
+  expect(nearestWords(0, line(0))).toBe("Exact, like the next best method (polyline).");
+  expect(nearestWords(4e-15, line(1e-15))).toBe("Exact, like the next best method (polyline).");
+  expect(nearestWords(0, line(0.123))).toBe("Exact. The next best method (polyline) is off by 0.123%.");
+  expect(nearestWords(0.123, line(0))).toBe("Here another method is more accurate: polyline, 0.0000%.");
 });

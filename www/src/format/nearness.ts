@@ -1,4 +1,6 @@
 /** How near fits are, in words. */
+
+import * as messages from "./messages";
 import { fixed } from "./numbers";
 
 /** In percent of the diagonal, with as many digits as say something. */
@@ -15,10 +17,10 @@ export function nearestWords(own: number, others: readonly { name: string; rms: 
   const [nearest] = [...others].sort((a, b) => a.rms - b.rms);
   if (!nearest) return "";
   const plain = nearest.name.charAt(0).toLowerCase() + nearest.name.slice(1);
-  if (nearest.rms < ROUNDING && own < ROUNDING) return `Exact, as is the best of the others, ${plain}.`;
-  if (own < ROUNDING) return `Exact; the best of the others, ${plain}, is ${percent(nearest.rms)} off.`;
+  if (nearest.rms < ROUNDING && own < ROUNDING) return messages.bothExact(plain);
+  if (own < ROUNDING) return messages.exactBut(plain, percent(nearest.rms));
   const ratio = nearest.rms / own;
-  if (ratio >= 1.05) return `${fixed(ratio, 1)} times as near as the best of the others, ${plain}.`;
-  if (ratio > 0.95) return `About as near as the best of the others, ${plain}.`;
-  return `Here ${plain} is nearer: ${percent(nearest.rms)}.`;
+  if (ratio >= 1.05) return messages.timesAsAccurate(fixed(ratio, 1), plain);
+  if (ratio > 0.95) return messages.aboutAsAccurate(plain);
+  return messages.lessAccurate(plain, percent(nearest.rms));
 }

@@ -1,4 +1,5 @@
 /** Numbers as fields show them and step them. */
+import * as messages from "./messages";
 
 /** Digits as people type them, `-.5`, `0,25`, `1e-3`; null for all else, which may be a formula. */
 export function plainNumber(text: string): number | null {
@@ -13,8 +14,8 @@ export function plainNumber(text: string): number | null {
 
 /** Says what is wrong with a number outside a range, or nothing. Both ends belong to the range. */
 export function rangeProblem(value: number, min?: number, max?: number): string | undefined {
-  if (min !== undefined && value < min) return `At least ${formatNumber(min)}, please.`;
-  if (max !== undefined && value > max) return `At most ${formatNumber(max)}, please.`;
+  if (min !== undefined && value < min) return messages.atLeast(formatNumber(min));
+  if (max !== undefined && value > max) return messages.atMost(formatNumber(max));
   return undefined;
 }
 

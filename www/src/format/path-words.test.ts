@@ -18,23 +18,23 @@ describe("pathWords", () => {
     Array.from({ length: 101 }, (_, i) => spans.find(([to]) => i <= to)?.[1] ?? touching);
 
   it("says what is said of a shape: whole at the resolution, or proved", () => {
-    expect(pathWords({ states: along(), widest: 0 })).toBe("Looks whole at 1/600 all the way.");
+    expect(pathWords({ states: along(), widest: 0 })).toBe("No gap above 1/600 seen anywhere on the path.");
     expect(pathWords({ states: along([100, connected]), widest: 0 })).toBe(
-      "In one piece, proved, at each moment looked at.",
+      "In one piece, proved, at every sampled moment.",
     );
     // As the frames of the film say it, of which all may be proved: no state is told for another.
     expect(pathWords({ states: along([49, connected]), widest: 0 })).toBe(
-      "In one piece, proved, at 49% of the moments looked at. The others look whole at 1/600.",
+      "In one piece, proved, at 49% of the sampled moments. At the others no gap above 1/600 was seen.",
     );
     expect(pathWords({ states: along([99, connected]), widest: 0, progress: 0.5 })).toBe(
-      "In one piece, proved, at 99% of the moments looked at so far. The others look whole at 1/600.",
+      "In one piece, proved, at 99% of the sampled moments so far. At the others no gap above 1/600 was seen.",
     );
     expect(pathWords({ states: along([0, connected]), widest: 0 })).toContain("less than 1%");
     expect(pathWords({ states: along(), widest: 0, proved: true })).toBe(
-      "In one piece, proved, all the way.",
+      "In one piece, proved, along the whole path.",
     );
     expect(pathWords({ states: along(), widest: 0, progress: 0.5 })).toContain("so far");
-    expect(pathWords({ states: [], widest: 0, progress: 0 })).toContain("Looking");
+    expect(pathWords({ states: [], widest: 0, progress: 0 })).toContain("Checking");
   });
   it("says where it is in pieces and how wide the gap is", () => {
     expect(pathWords({ states: along([61, touching], [80, disconnected]), widest: 0.03 })).toBe(
@@ -43,14 +43,16 @@ describe("pathWords", () => {
   });
   it("says so too where no pixel shows it", () => {
     const words = pathWords({ states: along([89, touching], [95, hidden]), widest: 0.0015 });
-    expect(words).toBe("In pieces between 90% and 96%, gap 0.15%, finer than 1/600, by Frond’s own bounds.");
+    expect(words).toBe(
+      "In pieces between 90% and 96%, gap 0.15%, under 1/600 of its size, by Frond’s own bounds.",
+    );
     // Read off the map, how wide it is is not known: it is not 0.
     expect(pathWords({ states: along([89, touching], [95, hidden]), widest: 0, progress: 0.9 })).toBe(
-      "In pieces between 90% and 96% so far, by a gap finer than 1/600, by Frond’s own bounds.",
+      "In pieces between 90% and 96% so far, gap under 1/600 of its size, by Frond’s own bounds.",
     );
     // Beside gaps that are seen, not.
     const both = along([20, touching], [30, disconnected], [89, touching], [95, hidden]);
-    expect(pathWords({ states: both, widest: 0.03 })).not.toContain("finer");
+    expect(pathWords({ states: both, widest: 0.03 })).not.toContain("under");
   });
   it("tells pieces from no attractor and from what is not decided", () => {
     const states = along([20, touching], [30, none], [40, touching], [50, undecided]);
@@ -79,44 +81,44 @@ describe("what is proved of a path", () => {
 
   it("gives the bound, the steps and the place where it is weakest", () => {
     expect(certifiedWords(so)).toBe(
-      "No moment of this path has a gap wider than 0.31% of the shape’s diameter: proved, in 4,212 steps. Between the moments looked at, this leaves narrower gaps possible, the widest of them near 63%.",
+      "Proved in 4,212 steps: no moment of this path has a gap wider than 0.31% of the shape’s diameter. Between the sampled moments narrower gaps are still possible; the widest would be near 63%.",
     );
     expect(certifiedWords({ ...so, gap: 0 })).toBe(
-      "In one piece, proved, at every moment of this path, in 4,212 steps.",
+      "In one piece, proved for every moment of this path, in 4,212 steps.",
     );
   });
 
   it("names joints where they hold all of it, and what rounding leaves", () => {
     const words = certifiedWords({ ...so, gap: 2e-15, boxes: 0, joints: 3 });
     expect(words).toContain("3 joints");
-    expect(words).toContain("2e-15 of the shape’s diameter, which is rounding");
+    expect(words).toContain("up to rounding (2e-15 of the shape’s diameter)");
     expect(certifiedWords({ ...so, joints: 0 })).toContain("4,212 steps");
   });
 
   it("claims nothing before the end, nor without a bound", () => {
-    expect(certifiedWords({ ...so, done: 12 })).toBe("Proving it: 25% of the path.");
+    expect(certifiedWords({ ...so, done: 12 })).toBe("Proving: 25% of the path so far.");
     expect(certifiedWords({ ...so, gap: Number.POSITIVE_INFINITY })).toMatch(
-      /^It could not be proved all the way/,
+      /^The whole path could not be proved/,
     );
     expect(certifiedWords({ ...so, problem: "The path is too long." })).toBe(
-      "It could not be proved. The path is too long.",
+      "The path could not be proved. The path is too long.",
     );
   });
 });
 
 describe("room and best", () => {
   it("tells how near a path comes to breaking", () => {
-    expect(roomWords(0.0834)).toBe("It keeps 0.08 away from what breaks.");
-    expect(roomWords(0.001)).toBe("It runs along the very edge of what holds.");
+    expect(roomWords(0.0834)).toBe("It keeps a distance of 0.08 from where the shape breaks.");
+    expect(roomWords(0.001)).toBe("It runs right along the border.");
     expect(roomWords(Number.POSITIVE_INFINITY)).toBe("");
     expect(roomWords(undefined)).toBe("");
   });
 
   it("says how sure it is that no path holds", () => {
     expect(bestWords(false, false)).toBe(
-      "No path on this square was found to hold all the way: this one breaks least.",
+      "Frond found no path here that stays in one piece; this one opens the smallest gap.",
     );
-    expect(bestWords(true, true)).toMatch(/^Even with the third parameter no path can hold/);
+    expect(bestWords(true, true)).toMatch(/every path breaks somewhere, even with the third parameter;/);
   });
 });
 
@@ -132,16 +134,18 @@ describe("ways to match", () => {
   it("say which maps could turn the other way round", () => {
     expect(halfTurnWords([0, 0])).toBeNull();
     expect(halfTurnWords([0, 1, 0])).toBe(
-      "Map 2 makes exactly half a turn, clockwise. Half a turn counter-clockwise is as short.",
+      "Map 2 makes exactly half a turn, clockwise. Half a turn counter-clockwise is just as short.",
     );
     expect(halfTurnWords([-1, 0, 1, 1])).toBe(
-      "Maps 1, 3 and 4 make exactly half a turn, which is as short either way.",
+      "Maps 1, 3 and 4 make exactly half a turn, which is equally short in either direction.",
     );
   });
 
   it("are told by the best path that they allow", () => {
-    expect(meritWords({ holds: true, gap: 0 })).toBe("looks whole all the way");
+    expect(meritWords({ holds: true, gap: 0 })).toBe("no gap seen anywhere");
     expect(meritWords({ holds: false, gap: 0.012 })).toBe("gap 1.2%");
-    expect(meritWords({ holds: false, gap: Number.POSITIVE_INFINITY })).toBe("no attractor on the way");
+    expect(meritWords({ holds: false, gap: Number.POSITIVE_INFINITY })).toBe(
+      "no attractor somewhere on the path",
+    );
   });
 });

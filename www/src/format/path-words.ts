@@ -1,31 +1,35 @@
 import { provedPart, STATE, type Stretch, stretches } from "#geometry/states";
+import * as messages from "./messages";
 import { formatNumber } from "./numbers";
+import { listOf } from "./plural";
 import { OWN_BOUNDS, RESOLUTION, resolutionWords, shareWords, toldOf, verdictWords } from "./verdict";
 
 export const percent = (t: number): string => `${Math.round(100 * t)}%`;
 
 /** "A", "A and B", "A, B and C". */
 export function listWords(items: readonly string[]): string {
-  if (items.length < 2) return items.join("");
-  return `${items.slice(0, -1).join(", ")} and ${items.at(-1) ?? ""}`;
+  return listOf(items);
 }
 
 /** Which map becomes which, as far as it is short enough to be heard. */
 export function matchWords(correspondence: readonly number[], turns: readonly number[]): string {
-  const moved = correspondence.flatMap((to, from) => (to === from ? [] : [`${from + 1} becomes ${to + 1}`]));
+  const moved = correspondence.flatMap((to, from) =>
+    to === from ? [] : [messages.becomes(from + 1, to + 1)],
+  );
   const partners =
     moved.length === 0
-      ? "each keeps its number"
+      ? messages.sameNumbers
       : moved.length <= 4
         ? listWords(moved)
-        : `${moved.length} of ${correspondence.length} maps change partner`;
+        : messages.changePartner(moved.length, correspondence.length);
   const turning = turns.filter((turn) => turn !== 0).length;
   if (turning === 0) return partners;
-  return `${partners}; ${turning === 1 ? "one turns" : `${turning} turn`} differently`;
+  return messages.turnDifferently(partners, turning);
 }
 
 /** Which way round a half turn goes that so many whole turns (1 or -1) would make the other one. */
-export const halfTurnWay = (other: number): string => (other > 0 ? "clockwise" : "counter-clockwise");
+export const halfTurnWay = (other: number): string =>
+  other > 0 ? messages.clockwise : messages.counterClockwise;
 
 /**
  * Which maps turn by half a turn, and that there are two of them; `other` as `halfTurns` gives it, null where none
@@ -37,16 +41,16 @@ export function halfTurnWords(other: readonly number[]): string | null {
   if (!only) return null;
   if (more.length === 0) {
     const [now, then] = [halfTurnWay(only.turn), halfTurnWay(-only.turn)];
-    return `Map ${only.number} makes exactly half a turn, ${now}. Half a turn ${then} is as short.`;
+    return messages.halfTurnOfOne(only.number, now, then);
   }
-  return `Maps ${listWords(maps.map(({ number }) => number))} make exactly half a turn, which is as short either way.`;
+  return messages.halfTurnOfSeveral(listWords(maps.map(({ number }) => number)));
 }
 
 /** What a way to match allows: its best path. */
 export function meritWords(plan: { holds: boolean; gap: number }): string {
-  if (plan.holds) return "looks whole all the way";
-  if (!Number.isFinite(plan.gap)) return "no attractor on the way";
-  return `gap ${shareWords(plan.gap)}`;
+  if (plan.holds) return messages.noGapOnPath;
+  if (!Number.isFinite(plan.gap)) return messages.noAttractorOnPath;
+  return messages.gapOf(shareWords(plan.gap));
 }
 
 /** Stretches in whole per cents; those that touch then are one. */
@@ -64,8 +68,8 @@ function joined(found: readonly Stretch[]): [from: number, to: number][] {
 /** How near a path that holds comes to breaking, in units of u and v; nothing to say where it does not. */
 export function roomWords(clearance: number | null | undefined): string {
   if (clearance === null || clearance === undefined || !Number.isFinite(clearance)) return "";
-  if (clearance < 0.015) return "It runs along the very edge of what holds.";
-  return `It keeps ${formatNumber(clearance, 2)} away from what breaks.`;
+  if (clearance < 0.015) return messages.runsRightAlongBorder;
+  return messages.keepsAway(formatNumber(clearance, 2));
 }
 
 /** What was proved of a path, so far or in whole. */
@@ -78,23 +82,19 @@ export function certifiedWords(so: {
   worst: number;
   problem: string | null;
 }): string {
-  if (so.problem !== null) return `It could not be proved. ${so.problem}`;
-  if (so.done < so.parts) return `Proving it: ${percent(so.done / so.parts)} of the path.`;
-  if (so.boxes === 0 && so.joints)
-    return `Proved, at every moment of this path: each piece joins the next in one of ${so.joints} joints, and all joints stay joined, to ${so.gap.toExponential(0)} of the shape’s diameter, which is rounding.`;
-  const steps = `${so.boxes.toLocaleString("en")} ${so.boxes === 1 ? "step" : "steps"}`;
-  if (!Number.isFinite(so.gap))
-    return `It could not be proved all the way: at ${percent(so.worst)} it would take more than ${steps}.`;
-  if (so.gap === 0) return `In one piece, proved, at every moment of this path, in ${steps}.`;
-  return `No moment of this path has a gap wider than ${shareWords(so.gap)} of the shape’s diameter: proved, in ${steps}. Between the moments looked at, this leaves narrower gaps possible, the widest of them near ${percent(so.worst)}.`;
+  if (so.problem !== null) return messages.notProved(so.problem);
+  if (so.done < so.parts) return messages.proving(percent(so.done / so.parts));
+  if (so.boxes === 0 && so.joints) return messages.jointsProved(so.joints, so.gap.toExponential(0));
+  const steps = messages.steps(so.boxes);
+  if (!Number.isFinite(so.gap)) return messages.proofTooLong(percent(so.worst), steps);
+  if (so.gap === 0) return messages.pathProved(steps);
+  return messages.gapsBounded(steps, shareWords(so.gap), percent(so.worst));
 }
 
 /** What is known where the best path breaks. `apart`: on the samples there is no way that does not. */
 export function bestWords(apart: boolean, third: boolean): string {
-  const where = third ? "Even with the third parameter no path" : "No path on this square";
-  return apart
-    ? `${where} can hold all the way, as far as the map is known: this one breaks least.`
-    : `${where} was found to hold all the way: this one breaks least.`;
+  if (apart) return third ? messages.everyPathBreaksEvenThen : messages.everyPathBreaks;
+  return third ? messages.noPathFoundEvenThen : messages.noPathFound;
 }
 
 /** What is known of a path: of its moments, and by a proof of all of it. */
@@ -111,43 +111,39 @@ interface PathKnown {
 
 /** The whole path in a sentence or two, in the words that are said of a shape. */
 export function pathWords({ states, widest, proved = false, progress = 1 }: PathKnown): string {
-  if (progress <= 0 || states.length === 0) return "Looking along the path …";
-  const so = progress < 1 ? " so far" : "";
+  if (progress <= 0 || states.length === 0) return messages.checkingPath;
+  const so = progress < 1 ? messages.soFar : "";
   const said = (about: number, gap: string) => {
     const where = whereWords(stretches(states, (state) => state === about));
     const told = toldOf(about, widest);
     return where === "" || told === null ? [] : [`${placed(verdictWords(told).text, where)}${so}${gap}.`];
   };
-  const wide = said(STATE.disconnected, `, widest gap ${shareWords(widest)}, ${OWN_BOUNDS}`);
-  // Where wider gaps are told of, those that nobody sees are not worth a sentence.
+  const wide = said(STATE.disconnected, messages.widestGap(shareWords(widest), OWN_BOUNDS));
   const least = resolutionWords(RESOLUTION);
+  // Where wider gaps are told of, those that nobody sees are not worth a sentence.
   // Of what is read off the map only that much is known.
-  const finer =
-    widest > 0 ? `, gap ${shareWords(widest)}, finer than ${least}` : `, by a gap finer than ${least}`;
+  const finer = widest > 0 ? messages.gapUnder(shareWords(widest), least) : messages.someGapUnder(least);
   const narrow = wide.length === 0 ? said(STATE.hidden, `${finer}, ${OWN_BOUNDS}`) : [];
   const words = [...wide, ...narrow, ...said(STATE.none, ""), ...said(STATE.undecided, "")];
   if (words.length > 0) return words.join(" ");
-  const [whole, looks] = [STATE.connected, STATE.touching].map(
-    (state) => verdictWords(toldOf(state, 0)).text,
-  );
   const part = proved ? 1 : (provedPart(states) ?? 0);
-  if (part === 0) return `${looks} all the way${so}.`;
+  if (part === 0) return messages.noGapAnywhere(least, so);
   // Moments are no proof of what lies between them.
-  if (part === 1) return `${whole}, ${proved ? "all the way" : "at each moment looked at"}${so}.`;
-  return `${whole}, at ${partWords(part)} of the moments looked at${so}. The others look whole at ${resolutionWords(RESOLUTION)}.`;
+  if (part === 1) return (proved ? messages.provedThroughout : messages.provedAtSamples)(so);
+  return messages.provedAtSome(partWords(part), so, least);
 }
 
 /** A part that is neither nothing nor all, in whole per cents that say neither. */
 export const partWords = (part: number): string =>
-  part < 0.01 ? "less than 1%" : `${Math.min(99, Math.floor(100 * part))}%`;
+  part < 0.01 ? messages.lessThanOne : `${Math.min(99, Math.floor(100 * part))}%`;
 
 /** "In pieces at 50%", "Not decided at 50%" */
-const placed = (text: string, where: string) => `${text} ${where}`;
+const placed = messages.verdictAt;
 
 /** "between 62% and 80%", "at 50%"; two places of many, and how many more there are. */
 function whereWords(found: readonly Stretch[]): string {
   const spans = joined(found).map(([from, to]) =>
-    from === to ? `at ${from}%` : `between ${from}% and ${to}%`,
+    from === to ? messages.atMoment(from) : messages.between(from, to),
   );
-  return listWords(spans.length > 3 ? [...spans.slice(0, 2), `in ${spans.length - 2} more places`] : spans);
+  return listWords(spans.length > 3 ? [...spans.slice(0, 2), messages.morePlaces(spans.length - 2)] : spans);
 }

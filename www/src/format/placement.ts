@@ -1,24 +1,25 @@
 import type { Place3, Point3 } from "#wasm/api";
+import * as messages from "./messages";
 import { formatNumber } from "./numbers";
 
 /** What was done to an object, as a hand would say it. */
 export function placeWords(place: Place3 | null): string {
-  if (!place) return "more than can be told apart";
+  if (!place) return messages.changeWithNoSimple;
   const { shift, turn, scale, exact } = place;
   const words: string[] = [];
   const even = Math.max(...scale) - Math.min(...scale) < 1e-6 * Math.max(...scale.map(Math.abs));
-  if (even && Math.abs(scale[0] - 1) > 1e-6) words.push(`scaled by ${formatNumber(scale[0], 3)}`);
-  else if (!even) words.push(`scaled by ${scale.map((x) => formatNumber(x, 3)).join(", ")}`);
+  if (even && Math.abs(scale[0] - 1) > 1e-6) words.push(messages.scaledBy(formatNumber(scale[0], 3)));
+  else if (!even) words.push(messages.scaledBy(scale.map((x) => formatNumber(x, 3)).join(", ")));
   const half = Math.hypot(turn[0], turn[1], turn[2]);
   const angle = (2 * Math.atan2(half, Math.abs(turn[3])) * 180) / Math.PI;
   if (angle > 0.005) {
     const sign = turn[3] < 0 ? -1 : 1;
     const axis = [turn[0], turn[1], turn[2]].map((x) => (sign * x) / half) as Point3;
-    words.push(`turned by ${formatNumber(angle, 2)}° about ${axisWords(axis)}`);
+    words.push(messages.rotatedBy(formatNumber(angle, 2), axisWords(axis)));
   }
   if (Math.hypot(...shift) > 1e-9)
-    words.push(`moved by (${shift.map((x) => formatNumber(x, 3)).join(", ")})`);
-  if (!exact) words.push("and sheared or mirrored besides");
+    words.push(messages.movedBy(shift.map((x) => formatNumber(x, 3)).join(", ")));
+  if (!exact) words.push(messages.andAlsoShearedOr);
   return words.length > 0 ? words.join(", ") : "nothing";
 }
 
@@ -40,21 +41,21 @@ export function unit([x, y, z]: Point3): Point3 | null {
 /** A number that grows as 1 / epsilon: it stands in the third column where none is given. */
 export type Diverging = readonly [map: number, row: number, column?: number];
 
-const ORDINALS = ["first", "second", "third"];
+const ORDINALS = [messages.first, messages.second, messages.third];
 
 /** Places of numbers that grow as 1 / epsilon, as people read them: "row 2 of w₁". */
 export function divergingWords(diverging: readonly Diverging[]): string {
-  if (diverging.length === 0) return "No number grows: the direction is kept by every map.";
+  if (diverging.length === 0) return messages.noNumberGrowsEvery;
   const [[, , first = 2] = [0, 0]] = diverging;
   const one = diverging.every(([, , column = 2]) => column === first);
   const few = diverging.slice(0, 6).map(([map, row, column = 2]) => {
-    const place = one ? `row ${row + 1}` : `row ${row + 1}, column ${column + 1}`;
-    return `${place} of w${lowered(map + 1)}`;
+    const place = one ? messages.row(row + 1) : messages.cell(row + 1, column + 1);
+    return messages.cellOf(place, lowered(map + 1));
   });
   const more = diverging.length - few.length;
-  const list = few.join(one ? ", " : "; ") + (more > 0 ? ` and ${more} more` : "");
-  const grow = diverging.length === 1 ? "1 number grows" : `${diverging.length} numbers grow`;
-  return `${grow} without end${one ? `, in the ${ORDINALS[first] ?? "third"} column` : ""}: ${list}.`;
+  const list = few.join(one ? ", " : "; ") + (more > 0 ? messages.andMore(more) : "");
+  const column = one ? messages.inColumn(ORDINALS[first] ?? messages.third) : "";
+  return messages.numbersGrow(diverging.length, column, list);
 }
 
 function lowered(n: number): string {

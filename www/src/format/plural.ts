@@ -1,6 +1,6 @@
 /** Numbers and plural forms in the language of the messages. */
 
-const LANGUAGE = "en";
+const LANGUAGE = "en-GB";
 
 const rules = new Intl.PluralRules(LANGUAGE);
 
@@ -16,6 +16,11 @@ const whole = new Intl.NumberFormat(LANGUAGE, { maximumFractionDigits: 0 });
 
 /** A count as people write it: 1,773. */
 export const countOf = (count: number): string => whole.format(count);
+
+const list = new Intl.ListFormat(LANGUAGE, { type: "conjunction" });
+
+/** "A", "A and B", "A, B and C". */
+export const listOf = (items: readonly string[]): string => list.format(items);
 
 /** A count and what is counted: "1 map", "1,773 maps". */
 export const counted = (count: number, one: string, other: string): string =>

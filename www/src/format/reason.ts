@@ -1,7 +1,9 @@
 /** A reason with its addresses explained, where it has any. */
+import * as messages from "./messages";
+
 export function reasonWords(text: string): string {
   const address = /\b(\d)\((\d)\)/.exec(text);
   if (!address) return text;
-  const [read, first, then] = address;
-  return `${text} (${read} reads: in piece ${first}, in its part ${then}, in the part ${then} of that, and so on for ever.)`;
+  const [read = "", first = "", then = ""] = address;
+  return messages.addressRead(text, read, first, then);
 }

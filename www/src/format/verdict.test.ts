@@ -80,11 +80,11 @@ describe("verdictWords", () => {
 
   it("has one wording for each of four verdicts, and one for no attractor", () => {
     expect(verdictLine(told("connected"))).toBe("In one piece, proved");
-    expect(verdictLine(told("touching"))).toBe("Looks whole at 1/600");
+    expect(verdictLine(told("touching"))).toBe("No gap seen, checked to 1/600 of its size");
     expect(verdictLine(told("disconnected", 0.062))).toBe("In pieces, gap 3.1%, by Frond’s own bounds");
     expect(verdictWords(told("undecided")).text).toBe("Not decided");
     expect(verdictWords(told("no-attractor")).text).toBe("No attractor");
-    expect(verdictWords(null).text).toBe("Looking …");
+    expect(verdictWords(null).text).toBe("Checking …");
     expect(verdictPhrase(told("disconnected", 0.062))).toBe("in pieces, gap 3.1%, by Frond’s own bounds");
   });
 
@@ -92,7 +92,7 @@ describe("verdictWords", () => {
     expect(verdictWords(told("disconnected", 0.002))).toEqual({
       tone: "broken",
       text: "In pieces",
-      aside: "gap 0.1%, finer than 1/600, by Frond’s own bounds",
+      aside: "gap 0.1%, under 1/600 of its size, by Frond’s own bounds",
     });
     expect(verdictLine(told("disconnected", 0.002), 1 / 4800)).toBe(
       "In pieces, gap 0.1%, by Frond’s own bounds",
@@ -106,7 +106,7 @@ describe("verdictWords", () => {
   });
 
   it("tells the resolution that it was looked at with", () => {
-    expect(verdictLine(told("touching"), 1 / 4800)).toBe("Looks whole at 1/4800");
+    expect(verdictLine(told("touching"), 1 / 4800)).toBe("No gap seen, checked to 1/4800 of its size");
   });
 
   it("calls nothing proved that is not, and counts no pieces", () => {
@@ -119,11 +119,11 @@ describe("verdictWords", () => {
     const states = [0, 1, 2, 3, 4, 5].map((state) => verdictPhrase(toldOf(state, 0.001)));
     expect(states).toEqual([
       "in one piece, proved",
-      "looks whole at 1/600",
-      "in pieces, gap 0.1%, finer than 1/600, by Frond’s own bounds",
-      "not decided, it would take too long to tell",
+      "no gap seen, checked to 1/600 of its size",
+      "in pieces, gap 0.1%, under 1/600 of its size, by Frond’s own bounds",
+      "not decided, deciding would take too long",
       "no attractor, the maps do not contract together",
-      "in pieces, gap 0.1%, finer than 1/600, by Frond’s own bounds",
+      "in pieces, gap 0.1%, under 1/600 of its size, by Frond’s own bounds",
     ]);
     expect(toldOf(255, 0)).toBeNull();
     expect(verdictPhrase(toldOf(2, Math.fround(0.1)))).toBe("in pieces, gap 10%, by Frond’s own bounds");

@@ -1,5 +1,6 @@
 import { atResolution, STATE } from "#geometry/states";
 import type { Connectedness, Verdict } from "#wasm/api";
+import * as messages from "./messages";
 import { formatNumber } from "./numbers";
 
 /** A length in plane units with two figures that count: 0.021, 1.4, 2.1e-6. */
@@ -88,7 +89,7 @@ export interface VerdictWords {
 }
 
 /** What stands behind a gap that no checker has looked at. */
-export const OWN_BOUNDS = "by Frond’s own bounds";
+export const OWN_BOUNDS = messages.byFrondsOwnBounds;
 
 /**
  * What is known of a shape, of the plane or of space, in the words of the whole page; null while it is not known. Only
@@ -98,24 +99,24 @@ export const OWN_BOUNDS = "by Frond’s own bounds";
 export function verdictWords(answer: Told | null, epsilon = RESOLUTION): VerdictWords {
   switch (answer?.verdict) {
     case "connected":
-      return { tone: "whole", text: "In one piece, proved", aside: "" };
+      return { tone: "whole", text: messages.inOnePieceProved, aside: "" };
     case "touching":
-      return { tone: "close", text: `Looks whole at ${resolutionWords(epsilon)}`, aside: "" };
+      return { tone: "close", text: messages.noGapSeen, aside: messages.checkedTo(resolutionWords(epsilon)) };
     case "disconnected": {
       const share = shareOf(answer);
       const hidden = stateOf(answer, epsilon) === STATE.hidden;
-      const finer = hidden ? `, finer than ${resolutionWords(epsilon)}` : "";
-      const gap = `gap ${shareWords(share)}${finer}`;
+      const finer = hidden ? messages.under(resolutionWords(epsilon)) : "";
+      const gap = messages.gapIs(shareWords(share), finer);
       return answer.checked
-        ? { tone: "broken", text: "In pieces, proved", aside: gap }
-        : { tone: "broken", text: "In pieces", aside: `${gap}, ${OWN_BOUNDS}` };
+        ? { tone: "broken", text: messages.inPiecesProved, aside: gap }
+        : { tone: "broken", text: messages.inPiecesText, aside: `${gap}, ${OWN_BOUNDS}` };
     }
     case "undecided":
-      return { tone: "unknown", text: "Not decided", aside: "it would take too long to tell" };
+      return { tone: "unknown", text: messages.notDecided, aside: messages.decidingWouldTakeToo };
     case "no-attractor":
-      return { tone: "unknown", text: "No attractor", aside: "the maps do not contract together" };
+      return { tone: "unknown", text: messages.noAttractor, aside: messages.mapsDoNotContractTogether };
     default:
-      return { tone: "unknown", text: "Looking …", aside: "" };
+      return { tone: "unknown", text: messages.checking, aside: "" };
   }
 }
 

@@ -8,11 +8,11 @@ describe("offerWords", () => {
   it("says what a way would do before it says why", () => {
     const words = offerWords({ kind: "joints", about: "All joints stay joined." }, holds, 0.08, "Gasket");
     expect(words).toEqual({
-      what: "Matching joint by joint keeps the morph in one piece, up to rounding.",
+      what: "Pairing joint by joint keeps the morph in one piece, up to rounding.",
       why: "All joints stay joined.",
     });
     expect(offerWords({ kind: "correspondence", about: "" }, holds, 0.08, "Gasket").what).toBe(
-      "Matching the maps differently keeps the morph in one piece.",
+      "Pairing the maps differently keeps the morph in one piece.",
     );
     expect(offerWords(null, holds, 0.08, "Gasket").what).toBe(
       "A third parameter keeps the morph in one piece.",
@@ -44,7 +44,7 @@ describe("triedWords", () => {
   const so = { done: 120, of: 120, problem: null, best: null };
   it("counts what was tried", () => {
     expect(triedWords(so)).toBe(
-      "Frond tried 120 other paths: none stays in one piece, or has a narrower gap.",
+      "Frond tried 120 other paths: none stays in one piece or has a narrower gap.",
     );
     expect(triedWords({ ...so, best: {} })).toBe("Frond tried 120 other paths: none stays in one piece.");
     expect(triedWords({ ...so, done: 30 })).toContain("30 of 120");

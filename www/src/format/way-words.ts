@@ -1,6 +1,7 @@
 /** Other ways to bring two shapes together, in words. */
 import { decompose } from "#geometry/maps/affine2";
 import type { PathPlan, Route } from "#wasm/api";
+import * as messages from "./messages";
 import { shareWords } from "./verdict";
 
 /** What a way would do with shape `b`, in one line, and why. Null is the present one, with the third parameter. */
@@ -10,12 +11,11 @@ export function offerWords(
   gap: number,
   b: string,
 ): { what: string; why: string } {
-  const why = way === null ? "The stretch then runs ahead of the turn, or behind it." : way.about;
-  if (!plan.holds)
-    return { what: `Another path has a narrower gap: ${shareWords(plan.gap)}, not ${shareWords(gap)}.`, why };
+  const why = way === null ? messages.stretchThenLeadsOr : way.about;
+  if (!plan.holds) return { what: messages.narrowerGap(shareWords(plan.gap), shareWords(gap)), why };
   // Joints of doubles meet within some 1e-15 of the diameter, and no bound says that they do exactly.
-  const but = way?.kind === "joints" ? ", up to rounding" : "";
-  return { what: `${doing(way, b)} keeps the morph in one piece${but}.`, why };
+  const but = way?.kind === "joints" ? messages.upToRounding : "";
+  return { what: messages.keepsInOnePiece(doing(way, b), but), why };
 }
 
 /** Degrees that nobody sees. */
@@ -23,23 +23,23 @@ const UNSEEN = 2;
 
 /** What is done on a way. */
 function doing(way: Pick<Route, "kind" | "place"> | null, b: string): string {
-  if (way === null) return "A third parameter";
+  if (way === null) return messages.thirdParameter;
   const turn = way.place ? Math.round(Math.abs(decompose(way.place).turn)) : 0;
-  const turned = turn < UNSEEN ? null : `rotating ${b} by ${turn}°`;
-  if (way.kind === "place") return turned ? upper(turned) : `Moving ${b}`;
-  const first = DOING[way.kind] ?? "Another path";
-  return turned ? `${first} and ${turned}` : first;
+  const turned = turn < UNSEEN ? null : messages.rotating(b, turn);
+  if (way.kind === "place") return turned ? upper(turned) : messages.moving(b);
+  const first = DOING[way.kind] ?? messages.anotherPath;
+  return turned ? messages.bothChanges(first, turned) : first;
 }
 
 const upper = (words: string) => words.charAt(0).toUpperCase() + words.slice(1);
 
 const DOING: Partial<Record<Route["kind"], string>> = {
-  joints: "Matching joint by joint",
-  correspondence: "Matching the maps differently",
-  symmetry: "Using a symmetry of the shape",
-  mirror: "Morphing to the mirror image",
-  refine: "Splitting the pieces differently",
-  double: "Counting another piece twice",
+  joints: messages.pairingJointByJoint,
+  correspondence: messages.pairingMapsDifferently,
+  symmetry: messages.usingSymmetryShape,
+  mirror: messages.morphingToMirrorImage,
+  refine: messages.splittingPiecesDifferently,
+  double: messages.usingAnotherPieceTwice,
 };
 
 /** What was tried where nothing holds. */
@@ -54,9 +54,9 @@ export function triedWords({
   problem: string | null;
   best: unknown;
 }): string {
-  if (problem !== null) return `Frond could not look for other paths: ${problem}`;
-  if (done === 0) return "Frond tried no other path.";
-  const all = of !== null && done < of ? `${done} of ${of} other paths` : `${done} other paths`;
-  const none = `Frond tried ${all}: none stays in one piece`;
-  return best ? `${none}.` : `${none}, or has a narrower gap.`;
+  if (problem !== null) return messages.couldNotSearch(problem);
+  if (done === 0) return messages.frondTriedNoOther;
+  const all = of !== null && done < of ? messages.someTried(done, of) : messages.allTried(done);
+  const none = messages.noneStays(all);
+  return best ? `${none}.` : messages.orNarrower(none);
 }

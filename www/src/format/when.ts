@@ -1,3 +1,5 @@
+import * as messages from "./messages";
+
 const DAY = new Intl.DateTimeFormat("en", { dateStyle: "medium", timeStyle: "short" });
 
 /** When something was kept, in words; `time` in milliseconds since 1970. Dates of other programs may be none. */
@@ -5,6 +7,6 @@ export function whenWords(time: number): string {
   try {
     return DAY.format(time);
   } catch {
-    return "some time ago";
+    return messages.someTimeAgo;
   }
 }

@@ -8,7 +8,7 @@ const bent: Uv[] = [
 ];
 
 describe("uvAt", () => {
-  it("goes by length, not by way point", () => {
+  it("goes by length, not by waypoint", () => {
     expect(uvAt(bent, 0.5)).toEqual([0, 2]);
     expect(uvAt(bent, 0.75)).toEqual([0, 3]);
     expect(uvAt(bent, 0.875)).toEqual([0.5, 3]);
@@ -56,14 +56,14 @@ describe("uvAt", () => {
 });
 
 describe("timesOf", () => {
-  it("inverts uvAt at the way points", () => {
+  it("inverts uvAt at the waypoints", () => {
     expect(timesOf(bent)).toEqual([0, 0.75, 1]);
     expect(timesOf([[0, 0]])).toEqual([0]);
   });
 });
 
 describe("pointsOf", () => {
-  it("adds both ends, and passes by the way points of a straight path", () => {
+  it("adds both ends, and passes by the waypoints of a straight path", () => {
     const points: Uv[] = [[0.2, 0.9]];
     expect(pointsOf({ kind: "drawn", points })).toEqual([
       [0, 0],

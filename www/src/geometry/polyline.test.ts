@@ -69,7 +69,7 @@ describe("slice", () => {
   });
 });
 
-describe("way points", () => {
+describe("waypoints", () => {
   const way: Uv[] = [
     [0.1, 0.1],
     [0.2, 0.2],

@@ -3,6 +3,7 @@ import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "./messages";
 import css from "./shadow.module.css";
 
 const POINTS = 30_000;
@@ -39,7 +40,7 @@ export function ShadowPicture({ maps, direction, points = POINTS }: ShadowPictur
       width={WIDTH}
       height={HEIGHT}
       role="img"
-      aria-label="The shadow of the object"
+      aria-label={messages.objectsShadow}
     />
   );
 }

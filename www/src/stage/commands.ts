@@ -3,11 +3,12 @@ import type { Signal } from "@preact/signals";
 import type { Command } from "#ui/commands";
 import type { Colouring } from "#wasm/api";
 import { fitStage } from "./gestures";
+import * as messages from "./messages";
 
 export const fitCommand = (run: () => void = fitStage): Command => ({
   id: "fit",
-  label: "Fit the picture to the window",
-  group: "Shape and picture",
+  label: messages.fitPictureToWindow,
+  group: messages.shapeAndPicture,
   keys: ["F"],
   run,
 });
@@ -45,7 +46,7 @@ export const colourCommand = (
   choose: (colouring: Colouring) => void,
 ): Command => ({
   id: "colour",
-  label: `Colour by ${colours.join(", ")}`,
+  label: messages.colourBy(colours.join(", ")),
   group,
   keys: colours.map((_, i) => `${i + 1}`),
   run: (way) => choose(colours[way] ?? "map"),
@@ -53,7 +54,7 @@ export const colourCommand = (
 
 export const galleryCommand = (group: string, run: () => void): Command => ({
   id: "gallery",
-  label: "Gallery",
+  label: messages.gallery,
   group,
   keys: ["G"],
   run,

@@ -10,6 +10,7 @@ import { standIn } from "#document/stand-in";
 import { tool } from "#document/tool";
 import { lazily } from "#ui/lazy";
 import { stageKey } from "./gestures";
+import * as messages from "./messages";
 import { Picture } from "./picture";
 import { shownWeights } from "./picture-style";
 import css from "./stage.module.css";
@@ -94,11 +95,14 @@ export function Stage({
   const both = comparing.value;
   const bare = instead.value;
   return (
-    <section class="stage" aria-label="Picture">
+    <section class="stage" aria-label={messages.picture}>
       <div
         class={both ? `${css["pictures"]} two` : css["pictures"]}
         role="application"
-        aria-label={`The ${bare === "curves" ? "curve" : "attractor"}. Arrow keys move it, plus and minus zoom, 0 fits it to the stage.${tool.value === "morph" ? " D says what it looks like." : ""}`}
+        aria-label={messages.pictureKeys(
+          bare === "curves" ? messages.curve : messages.attractor,
+          tool.value === "morph" ? messages.describeKey : "",
+        )}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
         tabIndex={0}
         onKeyDown={(event) => {
@@ -120,7 +124,7 @@ export function Stage({
               onPainter={setPainter}
             />
           )}
-          {both && <p class={css["pane-label"]}>Turning and stretching (polar)</p>}
+          {both && <p class={css["pane-label"]}>{messages.byRotationPolar}</p>}
           {overlay}
         </div>
         {both && (
@@ -133,7 +137,7 @@ export function Stage({
               onState={setLinearPicture}
               onPainter={setLinearPainter}
             />
-            <p class={css["pane-label"]}>Number by number (linear)</p>
+            <p class={css["pane-label"]}>{messages.entryByEntryLinear}</p>
           </div>
         )}
       </div>
@@ -155,7 +159,7 @@ const empty = computed(() => picture.value.empty);
 /** On its own, so that the count of points does not draw the whole stage again. */
 function Empty() {
   if (!empty.value) return null;
-  return <p class={css["stage-empty"]}>These maps have no attractor: together they do not contract.</p>;
+  return <p class={css["stage-empty"]}>{messages.theseMapsHaveNo}</p>;
 }
 
 function everyFrame(tick: (now: number) => boolean): () => void {

@@ -34,7 +34,7 @@ export const fitView: ReadonlySignal<View> = computed(() =>
   ),
 );
 
-/** What is fitted does not move while something is dragged, but grows where the shape at a way point would leave it. */
+/** What is fitted does not move while something is dragged, but grows where the shape at a waypoint would leave it. */
 const withHeld = (box: Box): Box => (heldBox.value ? union([box, heldBox.value]) : box);
 
 /** The view that fits both ends: zooms are kept relative to it, so that a link means the same at every moment. */

@@ -1,16 +1,16 @@
-//! From a chain of cells to a few way points.
+//! From a chain of cells to a few waypoints.
 
 use glam::DVec3;
 
 use crate::path::field::{Field, Terms};
 
-/// Way points, ends included, that a person takes in at a glance: more are drawn only where they save much.
+/// Waypoints, ends included, that a person takes in at a glance: more are drawn only where they save much.
 const POINTS_AT_A_GLANCE: usize = 6;
 /// Corners looked at.
 const MOST_CORNERS: usize = 96;
 
 /// The cells of a polygon with few corners along `way`, its first and its last cell among them, at most `most` in
-/// all: one that costs little in the field, with a toll on each way point and on how sharply it turns there.
+/// all: one that costs little in the field, with a toll on each waypoint and on how sharply it turns there.
 ///
 /// No leg breaks the terms. If `most` is too few for that, more are kept.
 pub(crate) fn simplify(field: &Field, way: &[usize], terms: Terms, most: usize) -> Vec<usize> {
@@ -36,7 +36,7 @@ pub(crate) fn simplify(field: &Field, way: &[usize], terms: Terms, most: usize) 
             between.normalize_or_zero()
         })
         .collect();
-    // A way point must save so much of the way, or of the closeness to what is broken, to be worth having: it is
+    // A waypoint must save so much of the way, or of the closeness to what is broken, to be worth having: it is
     // one more thing on the screen to understand.
     let first = field.side() / 40.0;
     let mut toll = first;

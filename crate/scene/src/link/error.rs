@@ -52,7 +52,7 @@ pub enum LinkError {
     },
     /// What a document holds, or a link says, takes more than [`MAX_LINK`] to write.
     #[error(
-        "This takes {bytes} bytes as a link, and the most is 65536. Remove way points, maps, keys or knots of curves."
+        "This takes {bytes} bytes as a link, and the most is 65536. Remove waypoints, maps, keys or knots of curves."
     )]
     TooLarge {
         /// The length of its link, in bytes.

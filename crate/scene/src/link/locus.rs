@@ -6,7 +6,7 @@ use super::error::LinkError;
 use super::words::{damaged, number, numbers, read_some, within};
 use crate::scene::{FamilyName, LocusView, MAX_WAY_POINTS, WayPoint};
 
-/// Way points and views further away than this are a mistake.
+/// Waypoints and views further away than this are a mistake.
 const FARTHEST_POINT: f64 = 1e6;
 
 /// `locus=m:0.0227,0.703,100&at=0.02,0.7`; the family is `morph`, `m` (two sides) or its number of sides, the slice `w`

@@ -441,7 +441,7 @@ fn check(space: &Space) -> Result<(), PackedError> {
         held("the path", &[morph.t], "0 to 1 are allowed", &|x| (0.0..=1.0).contains(&x))?;
         if morph.path.points.len() > MAX_WAY_POINTS {
             let count = morph.path.points.len();
-            return Err(PackedError::Count { what: "way points", count, range: "64" });
+            return Err(PackedError::Count { what: "waypoints", count, range: "64" });
         }
         for point in &morph.path.points {
             held("the path", &point.numbers(), "numbers below 1e6 are allowed", &|x| x.abs() <= 1e6)?;

@@ -5,6 +5,7 @@ import { wordsOf } from "#document/notice";
 import type { FrondError, LocusView } from "#wasm/api";
 import { cancel, epoch, submit, workers } from "#workers/pool/engine";
 import { inputs as morph } from "../inputs";
+import * as messages from "../messages";
 import { publish } from "../results";
 import { locusCard } from "./card/card";
 import { detail } from "./detail";
@@ -163,7 +164,7 @@ function fail(error: FrondError): void {
   live = false;
   failed = true;
   if (!pyramid) return;
-  publish.window.value = { pyramid, progress: 1, problem: `It could not be drawn: ${wordsOf(error)}` };
+  publish.window.value = { pyramid, progress: 1, problem: messages.windowFailed(wordsOf(error)) };
 }
 
 function paint(): void {

@@ -3,6 +3,7 @@ import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { cancel, epoch, sliceMilliseconds, submit, workers } from "#workers/pool/engine";
 import { inputs as morph } from "../inputs";
+import * as messages from "../messages";
 import { planFrom } from "../plan";
 import { publish } from "../results";
 import { locusCard } from "./card/card";
@@ -101,7 +102,7 @@ function start(inputs: LocusInputs): void {
       failed: (error) => {
         cancel("locus");
         publish.locus.value = null;
-        notify({ kind: "error", text: `The map of parameters could not be drawn: ${wordsOf(error)}` });
+        notify({ kind: "error", text: messages.locusFailed(wordsOf(error)) });
       },
     },
     sliceMilliseconds,

@@ -70,8 +70,8 @@ describe("viewProblem", () => {
       expect(viewProblem({ ...HOME, [key]: Number.NaN })).toMatch(/numbers/);
       expect(viewProblem({ ...HOME, [key]: Number.POSITIVE_INFINITY })).toMatch(/numbers/);
     }
-    expect(viewProblem({ ...HOME, zoom: 0 })).toMatch(/size/);
-    expect(viewProblem({ ...HOME, zoom: -3 })).toMatch(/size/);
+    expect(viewProblem({ ...HOME, zoom: 0 })).toMatch(/empty/);
+    expect(viewProblem({ ...HOME, zoom: -3 })).toMatch(/empty/);
     expect(viewProblem({ ...HOME, x: 1e6, zoom: 4 })).toMatch(/far/);
     expect(viewProblem({ ...HOME, family: "polygon", y: 1.5 })).toMatch(/far/);
   });

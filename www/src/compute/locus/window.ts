@@ -1,5 +1,6 @@
 /** Which part of a plane of parameters is looked at, how finely, and at what resolution. */
 import type { Bounds, LocusView } from "#wasm/api";
+import * as messages from "../messages";
 
 /** Steps between the samples of a whole plane: 253 samples a side, both ends included. */
 export const CELLS = 252;
@@ -72,10 +73,10 @@ export function clampedView(view: LocusView): LocusView {
 /** What is wrong with a view that came from outside, in words; null for one that can be shown. */
 export function viewProblem({ family, sides, x, y, zoom, w, at }: LocusView): string | null {
   const numbers = [sides, x, y, zoom, w, ...(at ?? [])];
-  if (!numbers.every((n) => n === undefined || Number.isFinite(n))) return "it has numbers that are none";
-  if (!(zoom > 0)) return "its window has no size";
+  if (!numbers.every((n) => n === undefined || Number.isFinite(n))) return messages.containsInvalidNumbers;
+  if (!(zoom > 0)) return messages.windowEmpty;
   const { u0, v0, u1, v1 } = homeOf(family);
   const slack = 1e-9;
-  if (x < u0 - slack || x > u1 + slack || y < v0 - slack || y > v1 + slack) return "it is too far away";
+  if (x < u0 - slack || x > u1 + slack || y < v0 - slack || y > v1 + slack) return messages.tooFarOut;
   return null;
 }

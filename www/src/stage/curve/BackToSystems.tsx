@@ -2,6 +2,7 @@ import { backToSystems } from "#document/curve/back";
 import { announce } from "#document/notice";
 import { scene } from "#document/scene";
 import { Button } from "#ui/controls/Button";
+import * as messages from "../messages";
 
 /** Leaves what stands in place of the two systems. */
 export function BackToSystems() {
@@ -12,10 +13,10 @@ export function BackToSystems() {
       onClick={() => {
         backToSystems();
         const { a, b } = scene.peek();
-        announce(`Back to systems of maps: ${a.name} and ${b.name}.`);
+        announce(messages.backTo(a.name, b.name));
       }}
     >
-      Back to systems of maps
+      {messages.backToSystemsMaps}
     </Button>
   );
 }

@@ -2,6 +2,7 @@
 import type { CurveMorph } from "#document/curve/curve";
 import type { View } from "#geometry/coordinates";
 import type { Bend, Colouring } from "#wasm/api";
+import * as messages from "../messages";
 import { lookOf, paintCurve, paintInside } from "./paint";
 import { moved, TOLERANCE, windowOf } from "./painter";
 import type { Carried } from "./photographs/carried";
@@ -36,7 +37,7 @@ export function stillCurve(still: CurveStill): OffscreenCanvas {
   });
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext("2d", { willReadFrequently: true });
-  if (!context) throw new Error("The browser has no canvas.");
+  if (!context) throw new Error(messages.browserCouldNotCreate);
   const frame = { view, width, height };
   if (carried && !moved(bend)) paintInside(context, points, frame, carried.at(s, 1));
   else paintCurve(context, points, frame, lookOf(morph, s, colouring, palette, lineWidth, dark));

@@ -19,6 +19,7 @@ import type { Moment, Way } from "#workers/directed/moment";
 import type { Tasks } from "#workers/directed/tasks";
 import { InTurn, isStopped } from "#workers/lanes/latest";
 import type { Result } from "#workers/lanes/task";
+import * as messages from "../messages";
 import { toldOf } from "./told";
 
 type Answer = Result<Tasks, "known">;
@@ -91,7 +92,7 @@ export const toldNow: ReadonlySignal<Told | null> = computed(() =>
 export const wordsNow: ReadonlySignal<VerdictWords> = computed(() => {
   const words = verdictWords(toldNow.value);
   return toldNow.value?.verdict === "undecided" && partApart.value
-    ? { ...words, aside: `a part of it is in pieces, ${OWN_BOUNDS}` }
+    ? { ...words, aside: messages.partInPieces(OWN_BOUNDS) }
     : words;
 });
 

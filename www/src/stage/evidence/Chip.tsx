@@ -3,6 +3,7 @@ import type { ComponentChildren } from "preact";
 import type { VerdictWords } from "#format/verdict";
 import { listenForEscape } from "#ui/escape";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
+import * as messages from "../messages";
 import css from "../stage.module.css";
 import { evidenceOpen } from "./shown";
 
@@ -29,7 +30,7 @@ export function EvidenceChip({ id, panel, stale = false, children }: EvidenceChi
       id={id}
       type="button"
       class={css["chip"]}
-      title="What is known, and why"
+      title={messages.whatKnownAndWhy}
       aria-expanded={evidenceOpen.value}
       aria-controls={evidenceOpen.value ? panel : undefined}
       data-stale={stale ? "" : undefined}

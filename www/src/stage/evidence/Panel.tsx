@@ -1,5 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { IconButton } from "#ui/controls/Button";
+import * as messages from "../messages";
 import css from "./panel.module.css";
 import { evidenceOpen } from "./shown";
 
@@ -23,7 +24,7 @@ export function EvidencePanel({ id, chip, title, stale = false, children }: Evid
     <section class={css["panel"]} id={id} aria-labelledby={`${id}-title`} data-stale={stale ? "" : undefined}>
       <header class={css["head"]}>
         <h2 id={`${id}-title`}>{title}</h2>
-        <IconButton icon="close" label="Close the evidence" kind="quiet" onClick={close} />
+        <IconButton icon="close" label={messages.closeExplanation} kind="quiet" onClick={close} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, and keys have to reach it */}
       <div class={css["body"]} tabIndex={0}>

@@ -11,6 +11,7 @@ import { UNIT } from "#geometry/boxes";
 import { cornersOf } from "#geometry/parallelogram";
 import { restsOf } from "#geometry/snap";
 import type { Shape } from "#wasm/api";
+import * as messages from "../messages";
 import { stageStyle } from "../picture-style";
 import { stageSize } from "../view";
 import { apart } from "./apart";
@@ -70,7 +71,7 @@ function Maps() {
     2 * TAG,
   );
   return (
-    <Overlay title="Maps of the shape as parallelograms" box={frame()}>
+    <Overlay title={messages.shapesMapsAsParallelograms} box={frame()}>
       {order.map((i) => {
         const map = maps[i];
         if (!map) return null;
@@ -98,7 +99,7 @@ function Maps() {
 }
 
 const heldMap = (index: number): Held => ({
-  name: `Map ${index + 1}`,
+  name: messages.mapNumber(index + 1),
   id: `${index}`,
   map: () => shape.peek()?.maps[index] ?? null,
   box: frame,
@@ -130,7 +131,7 @@ const takenBox = computed(() => (taken.value ? boxOfTaken(taken.value) : UNIT));
 function Whole() {
   const { moved } = taken.value ?? { moved: STILL };
   return (
-    <Overlay title="The shape in its box" box={takenBox.value}>
+    <Overlay title={messages.frameShape} box={takenBox.value}>
       <Parallelogram held={WHOLE} map={moved} colour="var(--accent)" chosen />
       <Grips held={WHOLE} map={moved} colour="var(--accent)" />
     </Overlay>
@@ -138,7 +139,7 @@ function Whole() {
 }
 
 const WHOLE: Held = {
-  name: "The whole shape",
+  name: messages.fullShape,
   id: "whole",
   map: () => taken.peek()?.moved ?? null,
   box: () => takenBox.value,

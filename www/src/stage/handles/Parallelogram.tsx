@@ -1,6 +1,7 @@
 import { type Screen, screen, toScreen, type World } from "#geometry/coordinates";
 import { armOf, type Corners, cornersOf, GRIPS, type Grip, middleOf } from "#geometry/parallelogram";
 import type { MapRow } from "#wasm/api";
+import * as messages from "../messages";
 import css from "../stage.module.css";
 import { effectiveView, stageSize } from "../view";
 import { DOES, type Held, useHeldGrip, useHeldTurner } from "./held";
@@ -49,7 +50,7 @@ export function Parallelogram({ held, map, colour, chosen, choose }: Parallelogr
         role="button"
         // In lower case: SVG knows no other, and without it Tab passes by.
         tabindex={0}
-        aria-label={`${held.name}${chosen ? `${choose ? ", chosen; " : ": "}arrow keys move it` : ""}`}
+        aria-label={chosen ? (choose ? messages.chosenHandle : messages.onlyHandle)(held.name) : held.name}
         {...(choose ? { "aria-pressed": chosen } : {})}
         d={outline(corners)}
         ref={useHeldGrip(held, "origin", choose)}
@@ -115,7 +116,7 @@ function Handle({ held, grip, at }: { held: Held; grip: Grip; at: Screen }) {
       data-handle=""
       role="button"
       tabindex={0}
-      aria-label={`${held.name}, ${DOES[grip]}: arrow keys, with Shift finer`}
+      aria-label={messages.gripOf(held.name, DOES[grip])}
       transform={`translate(${at.x} ${at.y})`}
       ref={useHeldGrip(held, grip)}
     >
@@ -160,7 +161,7 @@ function Turner({ held, corners }: { held: Held; corners: Corners }) {
         data-handle=""
         role="button"
         tabindex={0}
-        aria-label={`${held.name}, only turns it: arrow keys, with Shift finer`}
+        aria-label={messages.turnerOf(held.name)}
         transform={`translate(${at.x} ${at.y})`}
         ref={useHeldTurner(held, turnerAt)}
       >

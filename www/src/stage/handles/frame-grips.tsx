@@ -8,6 +8,7 @@ import { lengthWords } from "#format/verdict";
 import type { Box } from "#geometry/boxes";
 import { screen, toScreen, toWorld, world } from "#geometry/coordinates";
 import { useGrip } from "../grip";
+import * as messages from "../messages";
 import css from "../stage.module.css";
 import { effectiveView, stageSize } from "../view";
 import { ARROWS, foreign } from "./held";
@@ -17,8 +18,8 @@ import { place } from "./Parallelogram";
 export const frameShown = signal(false);
 
 const CORNERS = [
-  { x: "x0", y: "y0", name: "lower left" },
-  { x: "x1", y: "y1", name: "upper right" },
+  { x: "x0", y: "y0", name: messages.lowerLeft },
+  { x: "x1", y: "y1", name: messages.upperRight },
 ] as const;
 type Corner = (typeof CORNERS)[number];
 
@@ -52,7 +53,7 @@ function FrameGrip({ corner, box }: { corner: Corner; box: Box }) {
       data-handle=""
       role="button"
       tabindex={0}
-      aria-label={`Frame, ${corner.name} corner: arrow keys, with Shift finer`}
+      aria-label={messages.frameCorner(corner.name)}
       transform={`translate(${at.x} ${at.y})`}
       ref={useGrip({
         take(event) {
@@ -73,7 +74,7 @@ function FrameGrip({ corner, box }: { corner: Corner; box: Box }) {
           const by = (event.shiftKey ? 1 : STEP) / effectiveView.peek().scale;
           moveCorner(corner, now[corner.x] + by * step[0], now[corner.y] - by * step[1]);
           const { x, y } = { x: editFrame.peek()?.box[corner.x], y: editFrame.peek()?.box[corner.y] };
-          announce(`Frame, ${corner.name} corner: ${lengthWords(x ?? 0)}, ${lengthWords(y ?? 0)}`);
+          announce(messages.frameCornerAt(corner.name, lengthWords(x ?? 0), lengthWords(y ?? 0)));
           return true;
         },
       })}

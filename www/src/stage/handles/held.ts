@@ -9,6 +9,7 @@ import { type Corners, cornersOf, dragged, type Grip, turned } from "#geometry/p
 import { type Rests, snapped, spun } from "#geometry/snap";
 import type { MapRow } from "#wasm/api";
 import { useGrip } from "../grip";
+import * as messages from "../messages";
 import { effectiveView, stageSize } from "../view";
 
 export interface Held {
@@ -33,10 +34,10 @@ const TURN = 5;
 
 /** What each of its grips does. */
 export const DOES: Record<Grip, string> = {
-  origin: "moves it",
-  x: "first side",
-  y: "second side",
-  turn: "turns and scales it",
+  origin: messages.moves,
+  x: messages.firstSide,
+  y: messages.secondSide,
+  turn: messages.turnsAndScales,
 };
 
 /** Whether what is dragged comes to rest at the other maps. Alt does the opposite. */

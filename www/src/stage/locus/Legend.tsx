@@ -3,6 +3,7 @@ import { STATE } from "#geometry/states";
 import { gradient } from "#style/ramp";
 import { Term } from "#ui/terms/Term";
 import type { TermName } from "#ui/terms/words";
+import * as messages from "../messages";
 import css from "./locus.module.css";
 import { decades, type LocusStyle } from "./paint";
 
@@ -19,7 +20,7 @@ interface LegendProps {
 export function Legend({ states, epsilon, style, proved = null }: LegendProps) {
   const broken = states.has(STATE.disconnected);
   return (
-    <ul class={css["legend"]} aria-label="Legend">
+    <ul class={css["legend"]} aria-label={messages.legend}>
       {BOXES.filter(([state]) => states.has(state)).map(([state, box]) => (
         <Entry
           key={state}
@@ -44,7 +45,7 @@ const BOXES = [
 
 const TERMS: Readonly<Record<number, TermName>> = {
   [STATE.connected]: "proved",
-  [STATE.touching]: "looks whole",
+  [STATE.touching]: messages.noGapSeen,
   [STATE.hidden]: "gap",
 };
 
@@ -54,14 +55,14 @@ const APART = textOf(STATE.disconnected);
 
 function wordsOf(state: number, epsilon: number): string {
   return state === STATE.hidden
-    ? `${APART}, by a gap finer than ${resolutionWords(epsilon)}`
+    ? messages.apartUnder(APART, resolutionWords(epsilon))
     : textOf(state, epsilon);
 }
 
 /** All is only said where all is. */
 function provedWords(part: number | null): string {
   const words = textOf(STATE.connected);
-  return part === null || part === 1 ? words : `${words}: ${Math.floor(100 * part)}% of what holds`;
+  return part === null || part === 1 ? words : messages.partOfPale(words, Math.floor(100 * part));
 }
 
 /** The scale of the gap, with the gaps that have a contour. */
@@ -69,7 +70,7 @@ function Ramp({ least }: { least: number }) {
   return (
     <li class={css["ramp"]}>
       <span>
-        <Term name="gap">{APART}, gap</Term>
+        <Term name="gap">{messages.apartGap(APART)}</Term>
       </span>
       <span class={css["ramp-bar"]}>
         <span class={`${css["legend-box"]} gap`} style={{ backgroundImage: gradient() }} />
@@ -79,7 +80,7 @@ function Ramp({ least }: { least: number }) {
           </span>
         ))}
       </span>
-      <span>of its diameter</span>
+      <span>{messages.ofItsSize}</span>
     </li>
   );
 }

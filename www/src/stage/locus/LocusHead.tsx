@@ -2,6 +2,7 @@ import { computed, type ReadonlySignal, type Signal } from "@preact/signals";
 import { Segmented } from "#ui/controls/Segmented";
 import { Term } from "#ui/terms/Term";
 import type { TermName } from "#ui/terms/words";
+import * as messages from "../messages";
 import type { LocusStyle } from "./paint";
 
 interface LocusHeadProps {
@@ -13,19 +14,19 @@ interface LocusHeadProps {
 
 /** The head of a map of where a morph holds together, with how it is shown. */
 export function LocusHead({ id, style, term }: LocusHeadProps) {
-  const title = "Where it holds together";
+  const title = messages.whereStaysInOne;
   return (
     <header class="section-head">
       <h2 id={id}>{term ? <Term name={term}>{title}</Term> : title}</h2>
       <Segmented
-        label="How to show it"
+        label={messages.show}
         value={style.value}
         onChange={(next) => {
           style.value = next;
         }}
         options={[
-          { value: "gap", label: "Gap", description: "How wide the widest gap between the pieces is" },
-          { value: "yesno", label: "Yes / no", description: "Only whether it holds together" },
+          { value: "gap", label: messages.gap, description: messages.widthWidestGapBetween },
+          { value: "yesno", label: messages.yesNo, description: messages.onlyWhetherStaysIn },
         ]}
       />
     </header>

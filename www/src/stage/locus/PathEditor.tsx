@@ -6,13 +6,14 @@ import { Button, IconButton } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
 import type { Bounds, PathKind } from "#wasm/api";
+import * as messages from "../messages";
 import css from "./path.module.css";
 import { focusHandle, type WayPath } from "./WayPoints";
 
 const KINDS: readonly { value: PathKind; label: string; description: string }[] = [
-  { value: "auto", label: "Auto", description: "The way with the narrowest gap, found for you" },
-  { value: "straight", label: "Straight", description: "Turn, stretch and move together, at one pace" },
-  { value: "drawn", label: "Drawn", description: "Through your own way points" },
+  { value: "auto", label: messages.auto, description: messages.frondChoosesPathWith },
+  { value: "straight", label: messages.straight, description: messages.turnStretchAndMove },
+  { value: "drawn", label: messages.drawn, description: messages.throughYourOwnWaypoints },
 ];
 
 interface PathSectionProps {
@@ -26,8 +27,8 @@ export function PathSection({ kind, onKind, children }: PathSectionProps) {
   return (
     <section class={css["path"]} aria-labelledby="path-title">
       <header class="section-head">
-        <h2 id="path-title">Path</h2>
-        <Segmented label="Kind of path" value={kind} options={KINDS} onChange={onKind} />
+        <h2 id="path-title">{messages.path}</h2>
+        <Segmented label={messages.kindPath} value={kind} options={KINDS} onChange={onKind} />
       </header>
       {children}
     </section>
@@ -37,13 +38,13 @@ export function PathSection({ kind, onKind, children }: PathSectionProps) {
 interface WayPointEditorProps {
   path: WayPath;
   bounds: Bounds;
-  /** Where else a way point may be added. */
+  /** Where else a waypoint may be added. */
   hint: string;
   /** The third number: how far it goes either way, and what asks for it while it is not shown. */
   third?: { shown: boolean; most: number; ask?: ComponentChildren };
 }
 
-/** The chosen way point by its numbers, or how to have one. */
+/** The chosen waypoint by its numbers, or how to have one. */
 export function WayPointEditor({ path, bounds, hint, third }: WayPointEditorProps) {
   const index = path.chosen.value;
   const points = path.way.value;
@@ -55,10 +56,10 @@ export function WayPointEditor({ path, bounds, hint, third }: WayPointEditorProp
         <Button
           icon="add"
           disabled={full}
-          description="Add a way point where the picture is now"
+          description={messages.addWaypointAtCurrent}
           onClick={() => focusHandle(path.addHere())}
         >
-          Add way point
+          {messages.addWaypoint}
         </Button>
         <span class="hint">{hint}</span>
       </div>
@@ -87,23 +88,24 @@ export function WayPointEditor({ path, bounds, hint, third }: WayPointEditorProp
   return (
     <fieldset class={`way-point ${third?.shown ? css["with-w"] : ""}`}>
       <legend>
-        Way point {index + 1} of {points.length} <span class="dim">{path.wayWords(index)}</span>
+        {messages.waypointOf(index + 1, points.length)} <span class="dim">{path.wayWords(index)}</span>
       </legend>
-      {field("u", "turn and stretch, u", u, [bounds.u0, bounds.u1], (next) => [next, v, w])}
-      {field("v", "move, v", v, [bounds.v0, bounds.v1], (next) => [u, next, w])}
-      {third?.shown && field("w", "stretch ahead, w", w, [-third.most, third.most], (next) => [u, v, next])}
+      {field("u", messages.turnAndStretchU, u, [bounds.u0, bounds.u1], (next) => [next, v, w])}
+      {field("v", messages.moveV, v, [bounds.v0, bounds.v1], (next) => [u, next, w])}
+      {third?.shown &&
+        field("w", messages.stretchLeadW, w, [-third.most, third.most], (next) => [u, v, next])}
       <div class="way-tools">
         {!third?.shown && third?.ask}
         <IconButton
           icon="add"
-          label="Add a way point after this one"
+          label={messages.addWaypointAfterThis}
           kind="quiet"
           disabled={full}
           onClick={() => focusHandle(path.addAfter(index))}
         />
         <IconButton
           icon="bin"
-          label="Remove this way point"
+          label={messages.removeThisWaypoint}
           kind="quiet"
           onClick={() => {
             path.removeAt(index);

@@ -1,4 +1,4 @@
-/** The way points of a path through a map of parameters, and the place on it, as handles. */
+/** The waypoints of a path through a map of parameters, and the place on it, as handles. */
 import "./handles.css";
 import type { ReadonlySignal } from "@preact/signals";
 import type { HTMLAttributes } from "preact";
@@ -8,6 +8,7 @@ import { percent } from "#format/path-words";
 import type { VerdictWords } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
+import * as messages from "../messages";
 
 /** A path as hands and keys change it. */
 export interface WayPath {
@@ -27,7 +28,7 @@ export interface WayPath {
   moment: ReadonlySignal<number>;
   uv: ReadonlySignal<Uv>;
   goTo(t: number): void;
-  /** What is known of a way point, of the present moment, and how a point is called. */
+  /** What is known of a waypoint, of the present moment, and how a point is called. */
   wayWords(index: number): string;
   stateNow(): string;
   /** What the stage has said of the shape at a point. It holds there alone, whatever the samples around it show. */
@@ -85,7 +86,7 @@ interface HandleProps {
   pointer?: HTMLAttributes<HTMLDivElement>;
 }
 
-/** A way point: arrows move it, plus adds one behind it, Delete takes it away. */
+/** A waypoint: arrows move it, plus adds one behind it, Delete takes it away. */
 export function WayHandle({ path, index, pointer }: HandleProps & { index: number }) {
   const count = path.way.value.length;
   const point = path.way.value[index] ?? [0, 0];
@@ -97,7 +98,7 @@ export function WayHandle({ path, index, pointer }: HandleProps & { index: numbe
       style={styleAt(path.place(point))}
       role="slider"
       tabIndex={0}
-      aria-label={`Way point ${index + 1} of ${count}`}
+      aria-label={messages.waypointOf(index + 1, count)}
       aria-valuenow={u}
       aria-valuemin={-1}
       aria-valuemax={2}
@@ -122,7 +123,7 @@ export function WayHandle({ path, index, pointer }: HandleProps & { index: numbe
   );
 }
 
-/** Where on the path the picture is now: arrows move along, plus adds a way point here. */
+/** Where on the path the picture is now: arrows move along, plus adds a waypoint here. */
 export function CurrentHandle({ path, pointer }: HandleProps) {
   const t = path.moment.value;
   const at = path.uv.value;
@@ -134,11 +135,11 @@ export function CurrentHandle({ path, pointer }: HandleProps) {
       style={styleAt(path.place(at))}
       role="slider"
       tabIndex={0}
-      aria-label="Place on the path"
+      aria-label={messages.positionOnPath}
       aria-valuenow={Math.round(1000 * t) / 10}
       aria-valuemin={0}
       aria-valuemax={100}
-      aria-valuetext={`${percent(t)} of the way, ${path.stateNow()}`}
+      aria-valuetext={messages.placeOnPath(percent(t), path.stateNow())}
       {...pointer}
       onFocus={() => path.pick(null)}
       onKeyDown={(event) => {

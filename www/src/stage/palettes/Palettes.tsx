@@ -8,6 +8,7 @@ import { SAFE } from "#style/safe-palettes";
 import { useOwnId } from "#ui/id";
 import { ColourField } from "#ui/panel/ColourField";
 import { Fold } from "#ui/panel/Fold";
+import * as messages from "../messages";
 import css from "./palettes.module.css";
 
 const own = computed(() => ownColours(scene.value));
@@ -35,9 +36,10 @@ function take(colours: readonly string[], own = false): void {
 export function Palettes() {
   if (scene.value.curves) return null;
   const name =
-    { page: "Frond’s", own: "your own" }[chosen.value] ?? SAFE.find(({ id }) => id === chosen.value)?.name;
+    { page: messages.fronds, own: messages.custom }[chosen.value] ??
+    SAFE.find(({ id }) => id === chosen.value)?.name;
   return (
-    <Fold title="Colours of the maps" now={name}>
+    <Fold title={messages.coloursMaps} now={name}>
       <Choices />
     </Fold>
   );
@@ -60,16 +62,10 @@ function Choices() {
   );
   return (
     <div class="stack">
-      <div class={css["choices"]} role="radiogroup" aria-label="Colours of the maps">
-        {row(
-          "page",
-          "Frond’s",
-          "After Okabe and Ito: darker on light ground, lighter on dark",
-          palette(theme),
-          () => edit(withoutColours),
-        )}
+      <div class={css["choices"]} role="radiogroup" aria-label={messages.coloursMaps}>
+        {row("page", messages.fronds, messages.afterOkabeAndIto, palette(theme), () => edit(withoutColours))}
         {SAFE.map(({ id, name, source, colours }) => row(id, name, source, colours, () => take(colours)))}
-        {row("own", "Your own", "A colour for each map", own.value ?? [], () => take(each(), true))}
+        {row("own", messages.custom2, messages.colourForEachMap, own.value ?? [], () => take(each(), true))}
       </div>
       {chosen.value === "own" && (
         <div class={css["own"]}>
@@ -77,7 +73,7 @@ function Choices() {
             // Maps have no name but their number: it is their key.
             <ColourField
               key={index}
-              label={`Map ${index + 1}`}
+              label={messages.mapNumber(index + 1)}
               value={colour}
               onChange={(next) =>
                 edit((before) => ({ ...before, palette: each().with(index, next) }), { gesture: "palette" })
@@ -86,10 +82,7 @@ function Choices() {
           ))}
         </div>
       )}
-      <p class="hint">
-        The published ones are made so that eyes with two kinds of cones tell them apart. Numbers on the maps
-        need no colour. The link keeps what you choose.
-      </p>
+      <p class="hint">{messages.publishedPalettesColourBlind}</p>
     </div>
   );
 }

@@ -1,3 +1,4 @@
+import * as messages from "../messages";
 import type { PainterState } from "./painter";
 import type { Pixels } from "./surface";
 
@@ -25,7 +26,7 @@ export abstract class CanvasPainter {
     // Of a copy: a canvas that is read itself is drawn otherwise from then on.
     const copy = new OffscreenCanvas(Math.max(1, width), Math.max(1, height));
     const context = copy.getContext("2d", { willReadFrequently: true });
-    if (!context) throw new Error("There is no picture yet.");
+    if (!context) throw new Error(messages.thereNoPictureYet);
     context.drawImage(this.canvas, 0, 0);
     const { data } = context.getImageData(0, 0, copy.width, copy.height);
     return { width: copy.width, height: copy.height, data };

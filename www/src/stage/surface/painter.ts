@@ -2,6 +2,7 @@ import { notify, wordsOf } from "#document/notice";
 import type { Bend } from "#wasm/api";
 import { type Backend, createRenderer, type Renderer } from "#wasm/renderer";
 import { drawsInSoftware } from "#wasm/webgpu";
+import * as messages from "../messages";
 import { Accelerated } from "./accelerated";
 import { CardClock } from "./card-clock";
 import { explainMissing } from "./missing";
@@ -101,7 +102,7 @@ export class Painter {
   }
 
   async pixels(): Promise<Pixels> {
-    if (!this.#surface) throw new Error("There is no picture yet.");
+    if (!this.#surface) throw new Error(messages.thereNoPictureYet);
     return this.#surface.pixels();
   }
 
@@ -181,7 +182,7 @@ export class Painter {
     void this.#open().then(() => {
       notify({
         kind: "info",
-        text: `The graphics device was lost (${reason}); the picture has been drawn anew.`,
+        text: messages.deviceLost(reason),
       });
       // Freed after its successor stands: its canvas shows the last picture until then.
       try {

@@ -5,6 +5,7 @@ import { bends, bendsFor, bendsReady, loadBends } from "#wasm/bend";
 import { frond, type RenderStyle } from "#wasm/core";
 import { frameTask } from "#workers/frames/client";
 import type { Frame } from "#workers/frames/tasks";
+import * as messages from "../messages";
 import { FrameQueue, type Quality } from "./frame-queue";
 import { partsOf, SheetPainter } from "./sheet";
 import type { Drawn, Pixels, Surface, Wanted } from "./surface";
@@ -140,7 +141,7 @@ export class Processor implements Surface {
   async pixels(): Promise<Pixels> {
     const { width, height } = this.canvas;
     const image = this.canvas.getContext("2d")?.getImageData(0, 0, width, height);
-    if (!image) throw new Error("There is no picture yet.");
+    if (!image) throw new Error(messages.thereNoPictureYet);
     return { width, height, data: image.data };
   }
 

@@ -19,10 +19,10 @@ const rival = (method: "squares" | "fourier", rms: number) => ({
 test("the comparison names the best of the others, and is fair to it", () => {
   const all = [rival("fourier", 0.3), rival("squares", 0.12)];
   expect(compareWords(figures(0.1), all)).toBe(
-    "1.2 times as near as the best of the others, polyline, best corners.",
+    "1.2 times as accurate as the next best (polyline, best corners).",
   );
   expect(compareWords(figures(0.119), all)).toMatch(/^About as near/);
-  expect(compareWords(figures(0.2), all)).toMatch(/polyline, best corners is nearer: 0\.120%/);
+  expect(compareWords(figures(0.2), all)).toMatch(/more accurate: polyline, best corners, 0\.120%/);
   expect(compareWords(figures(0.2), [])).toBe("");
 });
 
@@ -32,7 +32,7 @@ test("so is that of bytes", () => {
     { method: "bezier", rms: 0.2, points },
     { method: "squares", rms: 0.12, points },
   ] as const;
-  expect(compareBytes(0.1, all)).toBe("1.2 times as near as the best of the others, polyline, best corners.");
+  expect(compareBytes(0.1, all)).toBe("1.2 times as accurate as the next best (polyline, best corners).");
   expect(compareBytes(0.12, all)).toMatch(/^About as near/);
   expect(compareBytes(0.2, all)).toMatch(/nearer: 0\.120%/);
 });

@@ -56,7 +56,7 @@ export function turnedFurther(scene: Scene, by: readonly number[]): Scene {
   return { ...scene, turns: turns.every((turn) => turn === 0) ? [] : turns };
 }
 
-/** Way points as the hand left them: the path is drawn from now on. */
+/** Waypoints as the hand left them: the path is drawn from now on. */
 export function setPoints(scene: Scene, points: PathPoint[]): Scene {
   return { ...scene, path: { kind: "drawn", points: points.slice(0, MOST_POINTS) } };
 }

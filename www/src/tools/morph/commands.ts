@@ -54,8 +54,8 @@ const onStage = () =>
 export const commands: readonly Command[] = [
   ...widgetKeys("Path, with a point in focus", [
     ["way-move", "Move by 0.01; Shift finer, Alt coarser", "←", "→", "↑", "↓"],
-    ["way-add", "Add a way point", "+", "Enter"],
-    ["way-remove", "Remove the way point", "Delete", "−"],
+    ["way-add", "Add a waypoint", "+", "Enter"],
+    ["way-remove", "Remove the waypoint", "Delete", "−"],
   ]),
   ...widgetKeys("Outline of a map, in focus (Tab)", [
     ["map-move", "Choose it and move it; Shift finer", "←", "→", "↑", "↓"],
@@ -65,7 +65,7 @@ export const commands: readonly Command[] = [
     ["cross-move", "Move the cross; Shift finer, Alt farther", "←", "→", "↑", "↓"],
     ["map-zoom", "Nearer, farther, all of it", "+", "−", "0"],
     ["cross-show", "Show the shape under the cross", "Enter"],
-    ["cross-way", "Make it a way point", "A"],
+    ["cross-way", "Make it a waypoint", "A"],
   ]),
   ...widgetKeys("A point that is followed", [
     ["orbit-map", "Apply the map of this number", "1", "…", "9"],

@@ -21,7 +21,7 @@ it("shows the latest way of writing a value", () => {
   expect(typedAs("a", 0.5)).toBeUndefined();
 });
 
-it("does not grow without end", () => {
+it("does not grow without bound", () => {
   for (let i = 2; i < 1000; i++) keepTyped("b", 1 / i, `1/${i}`);
   expect(typedAs("b", 1 / 2)).toBeUndefined();
   expect(typedAs("b", 1 / 999)).toBe("1/999");

@@ -8,64 +8,66 @@ export interface Word {
 }
 
 /** Words that explain themselves where they stand. */
-export type TermName = "proved" | "looks whole" | "gap" | "u and v" | "the map of morphs" | "M";
+export type TermName = "proved" | "no gap seen" | "gap" | "u and v" | "the locus" | "M";
 
 export const WORDS: readonly Word[] = [
   {
     word: "shape",
-    means:
-      "What a list of maps that shrink agrees on: the one figure that is made of its own copies. In books: the attractor.",
+    means: "The one figure that is made of the copies its maps make of it. In books: the attractor.",
     lesson: "e12",
   },
   {
     word: "map",
-    means: "A rule that makes a smaller copy: turned, moved, stretched, perhaps mirrored.",
+    means: "A rule that makes a smaller copy: rotated, moved, stretched or mirrored.",
     lesson: "e13",
   },
-  { word: "piece", means: "The copy of the whole shape that one map makes." },
+  { word: "piece", means: "The copy of the full shape that one map makes." },
   {
     word: "in one piece",
-    means: "One can go from each piece to every other over pieces that share a point.",
+    means: "You can go from each piece to every other through pieces that share a point.",
     lesson: "e3",
   },
   {
     word: "proved",
-    means:
-      "There is a reason that does not depend on how closely one looks, and another program can check it.",
+    means: "The reason holds at every magnification, and a separate program can check it.",
     lesson: "e4",
   },
   {
-    word: "looks whole",
-    means: "The pieces come nearer to each other than can be told apart; that they meet is not proved.",
+    word: "no gap seen",
+    means: "The pieces come so close that no gap shows at this resolution. It is not proved that they meet.",
     lesson: "e5",
   },
   {
     word: "gap",
     means:
-      "The widest step that cannot be avoided on a walk over all pieces. It is 0 exactly when the shape is in one piece.",
+      "The widest step you cannot avoid when you walk over all pieces. It is 0 exactly when the shape is in one piece.",
     lesson: "e9",
   },
   {
     word: "1/600",
-    means: "The fineness ε of a verdict: a gap below this part of the shape’s size is not told from none.",
+    means: "The resolution ε of a verdict: Frond does not see gaps below this fraction of the shape’s size.",
     lesson: "e5",
   },
   {
     word: "u and v",
     means:
-      "How far the turning and stretching of the maps has gone from A to B (u), and how far their places have (v). At 0, 0 it is A, at 1, 1 it is B.",
+      "u says how far the maps have turned and stretched from A to B, and v how far they have moved. A is at 0, 0 and B at 1, 1.",
     lesson: "e7",
   },
   {
-    word: "the map of morphs",
+    word: "the locus",
     means:
-      "Every point is a shape between A and B: u, across, says how far its maps have turned and stretched, v, up, how far they have moved. It is pale where the shape is in one piece. In books: the connectedness locus.",
+      "The picture of all shapes between A and B, one at each point: u runs to the right, v upwards. It is pale where the shape stays in one piece. In books: the connectedness locus.",
     lesson: "e7",
   },
-  { word: "path", means: "The way from A to B on that map: what is played.", lesson: "e7" },
+  {
+    word: "path",
+    means: "The line from A to B across the locus. Playing the morph follows it.",
+    lesson: "e7",
+  },
   {
     word: "M",
-    means: "The same map for all shapes of two equal pieces, one for each complex number s of size below 1.",
+    means: "The locus of all shapes with two equal pieces, one for each complex number s with |s| < 1.",
     lesson: "e8",
   },
   {

@@ -150,7 +150,7 @@ function Found({ r }: { r: number }) {
     : "proves nothing either";
   const search = {
     connected: "proves the dust to be in one piece (it is the whole line from 0 to 1)",
-    touching: "says that it looks whole at a millionth of its diameter",
+    touching: "sees no gap above a millionth of its diameter",
     disconnected: `proves a gap of ${fixed(truth.gap.lower, 4)}; by the formula it is 1 − 2r = ${fixed(1 - 2 * r, 4)}`,
     undecided: "gives up",
     "no-attractor": "finds no attractor",

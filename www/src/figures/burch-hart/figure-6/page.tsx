@@ -100,7 +100,7 @@ function Found({ plan, straight, led }: FoundProps) {
       From {dragonWords()} the straight way is broken for {shareWords(straight.share)} of its length.{" "}
       {led.share === 0 ? (
         <>
-          On this path of {plan.points.length - 2} way points none of {SAMPLES} moments is
+          On this path of {plan.points.length - 2} waypoints none of {SAMPLES} moments is
           {led.hidden > 0 && `, though ${led.hidden} are proved to be in pieces by gaps finer than 1/600`}.
         </>
       ) : (

@@ -58,7 +58,7 @@ export function tidy(shape: Shape): Shape {
   return { ...shape, maps: shape.maps.map((map) => map.map((x) => Number(x.toPrecision(12))) as MapRow) };
 }
 
-/** A way point that is short in a link, and still far nearer to its place than a locus resolves. */
+/** A waypoint that is short in a link, and still far nearer to its place than a locus resolves. */
 export function drawn(points: readonly Uv[]): Scene["path"] {
   const short = (x: number) => Math.round(x * 1e6) / 1e6;
   return { kind: "drawn", points: points.slice(1, -1).map(([u, v]): Uv => [short(u), short(v)]) };

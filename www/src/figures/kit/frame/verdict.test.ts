@@ -4,6 +4,6 @@ import { reasonWords } from "#format/reason";
 it("explains an address once, and leaves other reasons alone", () => {
   expect(reasonWords("The area says so.")).toBe("The area says so.");
   expect(reasonWords("The pieces share a point: 1(2) and 2(1).")).toBe(
-    "The pieces share a point: 1(2) and 2(1). (1(2) reads: in piece 1, in its part 2, in the part 2 of that, and so on for ever.)",
+    "The pieces share a point: 1(2) and 2(1). (1(2) means: piece 1, in it part 2, in that part 2 again, and so on.)",
   );
 });

@@ -56,7 +56,7 @@ export function Strip({ label, frames, box, t, onPick }: StripProps) {
 /** What is said of each, in as few words as there is room for. */
 const MARKS: Record<Verdict, string> = {
   connected: "one piece",
-  touching: "looks whole",
+  touching: "no gap seen",
   disconnected: "in pieces",
   undecided: "not decided",
   "no-attractor": "no attractor",

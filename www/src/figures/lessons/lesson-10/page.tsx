@@ -224,7 +224,7 @@ function Chart({ first, ends, name }: { first: First; ends: Ends; name: Name }) 
       caption={
         <Chip
           tone={plan === null ? "unknown" : holds ? "close" : "broken"}
-          text={plan === null ? "Looking …" : holds ? "Looks whole" : "In pieces"}
+          text={plan === null ? "Looking …" : holds ? "No gap seen" : "In pieces"}
           aside={plan === null ? "" : holds ? "all the way" : `gap ${shareWords(plan.gap)}`}
         />
       }

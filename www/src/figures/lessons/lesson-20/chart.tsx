@@ -75,7 +75,7 @@ export function Legend({ epsilon }: { epsilon: number }) {
         <span class={css["box"]} /> in one piece, proved
       </li>
       <li>
-        <span class={`${css["box"]} ${css["dotted"]}`} /> with a dot: looks whole at{" "}
+        <span class={`${css["box"]} ${css["dotted"]}`} /> with a dot: no gap seen at{" "}
         {resolutionWords(epsilon)}, and nothing is proved
       </li>
       <li>

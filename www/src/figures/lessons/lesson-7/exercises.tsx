@@ -21,17 +21,17 @@ export function Exercises() {
         number={1}
         side="turning first"
         first={[0.8, 0.3]}
-        ask="Lead the morph so that it stays in one piece, with the way point below the straight way: it turns first and moves later, so u is more than v."
+        ask="Lead the morph so that it stays in one piece, with the waypoint below the straight way: it turns first and moves later, so u is more than v."
         hints={[
           "Both parts of the way have to stay in the light. Where is the map light from A on, to the right?",
-          "Bring the way point to u = 0.5, and then down step by step.",
+          "Bring the waypoint to u = 0.5, and then down step by step.",
         ]}
       />
       <On
         number={2}
         side="moving first"
         first={[0.1, 0.9]}
-        ask="There is another way, on the other side: above the straight way, where the morph moves first and turns later. Find a way point there over which it stays in one piece."
+        ask="There is another way, on the other side: above the straight way, where the morph moves first and turns later. Find a waypoint there over which it stays in one piece."
         hints={[
           "Stay near to A with u: then the first part of the way is steep, and the second one flat.",
           "Try u = 0.2, and v a little below 0.5.",
@@ -64,10 +64,10 @@ function On({ number, side, first, ask, hints }: OnProps) {
   const words = check.holds
     ? right
       ? "It stays in one piece at each moment judged."
-      : `It holds, but this way point lies ${sideOf(way) === "on the line" ? "on the straight way" : `on the side of ${sideOf(way)}`}.`
+      : `It holds, but this waypoint lies ${sideOf(way) === "on the line" ? "on the straight way" : `on the side of ${sideOf(way)}`}.`
     : here.verdict === "disconnected"
-      ? "The shape at the way point is in pieces itself."
-      : `At the way point all is well; on the way a gap of ${shareWords(check.gap)} opens.`;
+      ? "The shape at the waypoint is in pieces itself."
+      : `At the waypoint all is well; on the way a gap of ${shareWords(check.gap)} opens.`;
   const move = ([u, v]: Uv) => setWay([Number(u.toFixed(2)), Number(v.toFixed(2))]);
   return (
     <Exercise number={number} ask={ask} hints={hints} solved={check.holds && right} status={words}>

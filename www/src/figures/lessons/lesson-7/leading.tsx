@@ -1,4 +1,4 @@
-/** The morph of this lesson, and ways over one way point. */
+/** The morph of this lesson, and ways over one waypoint. */
 import type { Uv } from "#geometry/path";
 import type { PathCheck } from "#wasm/api";
 import { prover } from "#wasm/proof";
@@ -34,12 +34,12 @@ interface CoordinateProps {
   onChange: (value: number) => void;
 }
 
-/** One number of a way point. */
+/** One number of a waypoint. */
 export function Coordinate({ name, about, value, onChange }: CoordinateProps) {
   return (
     <SliderControl
-      label={`way point, ${about}`}
-      name={`Way point ${name}, ${about}`}
+      label={`waypoint, ${about}`}
+      name={`Waypoint ${name}, ${about}`}
       symbol={name}
       range={[-1, 2]}
       step={0.05}

@@ -65,7 +65,7 @@ export function Page(heading: Heading) {
         { name: "First shape", symbol: "A", value: "Heighway’s dragon, written with three maps" },
         { name: "Last shape", symbol: "B", value: "the terdragon" },
         { name: "Moment you chose", symbol: "t", value: fixed(t) },
-        { name: "Way point", symbol: tex`(u, v)`, value: [tex`(${fixed(way[0])}, ${fixed(way[1])})`] },
+        { name: "Waypoint", symbol: tex`(u, v)`, value: [tex`(${fixed(way[0])}, ${fixed(way[1])})`] },
         { name: "Resolution of the verdicts", symbol: "ε", value: "1/600 of the shape" },
         { name: "Moments judged on a path", value: String(SAMPLES) },
       ]}
@@ -164,7 +164,7 @@ function Breaking({ prediction, way, onWay }: BreakingProps) {
   );
 }
 
-/** The map of shapes, with one way point to lead the morph by. */
+/** The map of shapes, with one waypoint to lead the morph by. */
 function Leading({ way, onWay }: { way: Uv; onWay: (way: Uv) => void }) {
   const wish = useMemo(() => ({ ends: ends(), options: {}, size: SIZE }), []);
   const field = useChart(wish);

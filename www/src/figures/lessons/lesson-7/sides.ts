@@ -1,4 +1,4 @@
-/** On which side of the straight way a way point lies: turned first, or moved first. */
+/** On which side of the straight way a waypoint lies: turned first, or moved first. */
 import type { Uv } from "#geometry/path";
 
 export type Side = "turning first" | "moving first" | "on the line";

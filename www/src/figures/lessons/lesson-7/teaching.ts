@@ -23,9 +23,9 @@ export const TEACHING: Teaching = {
   solutions: ["u = 0.5, v = 0.1, for example.", "u = 0.2, v = 0.45, for example."],
   onPaper: [
     {
-      ask: "A morph goes from A = (0, 0) over the way point (0.2, 0.45) to B = (1, 1), straight on both parts. Draw the way with u across and v up. Which v has it where u is 0.1, and where u is 0.6?",
+      ask: "A morph goes from A = (0, 0) over the waypoint (0.2, 0.45) to B = (1, 1), straight on both parts. Draw the way with u across and v up. Which v has it where u is 0.1, and where u is 0.6?",
       space: "squares",
-      answer: "0.225, half of the way to the way point, and 0.725, half of the way on from there to B.",
+      answer: "0.225, half of the way to the waypoint, and 0.725, half of the way on from there to B.",
     },
     {
       ask: "On the straight way u and v are equal. On which side of it does a morph turn first and move later? Give a point of this side, and one of the other.",

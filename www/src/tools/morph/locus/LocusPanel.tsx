@@ -60,7 +60,7 @@ export function LocusPanel() {
   useEffect(followCritical, []);
   return (
     <section class="locus" aria-labelledby="locus-title">
-      <LocusHead id="locus-title" style={style} term={family.value === "morph" && "the map of morphs"} />
+      <LocusHead id="locus-title" style={style} term={family.value === "morph" && "the locus"} />
       <div class={fieldCss["which"]}>
         <Planes />
         <span class={fieldCss["acts"]}>

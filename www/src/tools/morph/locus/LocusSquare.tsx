@@ -76,7 +76,7 @@ function OnMorph() {
       <End letter="B" at={place([1, 1], window)} />
       <CurrentHandle path={PATH} />
       {way.value.map((_, index) => (
-        // Way points have no name but their number: it is their key, so that focus stays while one is moved.
+        // Waypoints have no name but their number: it is their key, so that focus stays while one is moved.
         <WayHandle key={index} path={PATH} index={index} />
       ))}
     </>

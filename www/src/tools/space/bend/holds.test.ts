@@ -77,5 +77,5 @@ it("at rest it is the shape as it was made", () => {
 });
 
 it("while nothing is known nothing is said", () => {
-  expect(bentWords(null, bend, whole).text).toBe("Looking …");
+  expect(bentWords(null, bend, whole).text).toBe("Checking …");
 });

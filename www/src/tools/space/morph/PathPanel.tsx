@@ -10,7 +10,7 @@ import css from "./morph3.module.css";
 import { setKind, way } from "./way";
 import { calledOff, callOff, check, found, lookAgain, morph, pathless, search, searchProblem } from "./work";
 
-/** What the path is, whether it holds, and its way points by numbers. */
+/** What the path is, whether it holds, and its waypoints by numbers. */
 export function PathPanel() {
   const kind = morph.value?.path.kind ?? "auto";
   return (

@@ -67,7 +67,7 @@ export function Square({ style }: { style: LocusStyle }) {
       <End letter="B" at={[1, 1]} />
       <Current toUv={toUv} />
       {way.value.map((_, index) => (
-        // A way point has no name but its number: so focus stays while it is moved.
+        // A waypoint has no name but its number: so focus stays while it is moved.
         <Way key={index} index={index} toUv={toUv} />
       ))}
       {problem !== null && (

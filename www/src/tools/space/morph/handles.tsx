@@ -53,7 +53,7 @@ const twice = (act: () => void) => (event: MouseEvent) => {
   act();
 };
 
-/** A way point that a pointer drags; two presses take it away. */
+/** A waypoint that a pointer drags; two presses take it away. */
 export function Way({ index, toUv }: { index: number; toUv: ToUv }) {
   const hold = useHold(toUv, way.value[index] ?? [0, 0], (to) => moveTo(index, to, `space-way-${index}`));
   const remove = twice(() => {
@@ -63,7 +63,7 @@ export function Way({ index, toUv }: { index: number; toUv: ToUv }) {
   return <WayHandle path={PATH} index={index} pointer={{ ...hold, onDblClick: remove }} />;
 }
 
-/** The place on the path, which a pointer drags along it; two presses add a way point there. */
+/** The place on the path, which a pointer drags along it; two presses add a waypoint there. */
 export function Current({ toUv }: { toUv: ToUv }) {
   const hold = useHold(toUv, uv.value, (to) => goTo(nearestOn(pathPoints.peek(), to).t));
   return <CurrentHandle path={PATH} pointer={{ ...hold, onDblClick: twice(() => focusHandle(addHere())) }} />;

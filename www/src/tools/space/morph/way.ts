@@ -17,7 +17,7 @@ import { check, judged, locus, moment, pathPoints, uv } from "./work";
 export const way: ReadonlySignal<Uv[]> = computed(() => pathPoints.value.slice(1, -1));
 
 const picked = signal<number | null>(null);
-/** The way point whose numbers are shown. */
+/** The waypoint whose numbers are shown. */
 export const chosen: ReadonlySignal<number | null> = computed(() =>
   picked.value !== null && picked.value < way.value.length ? picked.value : null,
 );
@@ -38,7 +38,7 @@ function toldAt(point: Uv): Told | null {
   return toldOf(state, gap);
 }
 
-/** Whether the shape holds together at a way point: looked at there, or read off the map until that is in. */
+/** Whether the shape holds together at a waypoint: looked at there, or read off the map until that is in. */
 export const stateAt = (index: number): string =>
   verdictPhrase(check.value?.ways[index] ?? toldAt(way.value[index] ?? [0, 0]));
 
@@ -66,17 +66,17 @@ export function moveTo(index: number, point: Uv, gesture: string): void {
   changeSpace((now) => drawn(now, move(way.peek(), index, kept(point))), { gesture });
 }
 
-/** A way point more, on the stretch that is nearest. Returns its number, or null where a link could hold no more. */
+/** A waypoint more, on the stretch that is nearest. Returns its number, or null where a link could hold no more. */
 export function addAt(point: Uv): number | null {
   return addTo(nearestOn(pathPoints.peek(), point).segment, point);
 }
 
-/** A way point more where the picture is now. */
+/** A waypoint more where the picture is now. */
 export function addHere(): number | null {
   return addAt(uv.peek());
 }
 
-/** A way point more, in the middle of the stretch behind way point `index`. */
+/** A waypoint more, in the middle of the stretch behind waypoint `index`. */
 export function addAfter(index: number): number | null {
   const [from, to] = [pathPoints.peek()[index + 1], pathPoints.peek()[index + 2]];
   return from && to ? addTo(index + 1, [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]) : null;
@@ -84,7 +84,7 @@ export function addAfter(index: number): number | null {
 
 function addTo(segment: number, point: Uv): number | null {
   if (way.peek().length >= MOST_POINTS) {
-    announce(`A path has at most ${MOST_POINTS} way points.`);
+    announce(`A path has at most ${MOST_POINTS} waypoints.`);
     return null;
   }
   const before = uv.peek();
@@ -92,7 +92,7 @@ function addTo(segment: number, point: Uv): number | null {
   endGesture();
   if (!changeSpace((now) => staying(drawn(now, insert(way.peek(), segment, at)), before))) return null;
   pick(segment);
-  announce(`Way point ${segment + 1} of ${way.peek().length} added at ${pointWords(at)}.`);
+  announce(`Waypoint ${segment + 1} of ${way.peek().length} added at ${pointWords(at)}.`);
   return segment;
 }
 
@@ -101,7 +101,7 @@ export function removeAt(index: number): void {
   endGesture();
   if (!changeSpace((now) => staying(drawn(now, remove(way.peek(), index)), before))) return;
   pick(null);
-  announce(`Way point ${index + 1} removed, ${way.peek().length} left.`);
+  announce(`Waypoint ${index + 1} removed, ${way.peek().length} left.`);
 }
 
 /** The moment is told by length along the path: after a change it is looked up anew, so that the picture stays. */

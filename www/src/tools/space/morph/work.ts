@@ -209,7 +209,7 @@ async function look(key: string): Promise<void> {
   }
 }
 
-/** Decimals that a way point is kept with: finer than anyone sees, and short in a link. */
+/** Decimals that a waypoint is kept with: finer than anyone sees, and short in a link. */
 const DIGITS = 1e4;
 const kept = (x: number) => Math.round(x * DIGITS) / DIGITS || 0;
 

@@ -29,7 +29,7 @@ function setKind(kind: PathKind): void {
   });
 }
 
-/** What the path is, whether it holds, and its way points by numbers. */
+/** What the path is, whether it holds, and its waypoints by numbers. */
 export function PathPanel() {
   return (
     <PathSection kind={pathKind.value} onKind={setKind}>

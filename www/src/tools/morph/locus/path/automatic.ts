@@ -17,14 +17,14 @@ import { announce, notify, wordsOf } from "#document/notice";
 import { edit, replace, scene } from "#document/scene";
 import type { PathPlan } from "#wasm/api";
 
-/** The pair that the way points of an automatic path belong to. A link's own points are left as they were sent. */
+/** The pair that the waypoints of an automatic path belong to. A link's own points are left as they were sent. */
 const settledFor = signal<LocusInputs | null>(null);
 
 const wished = signal(false);
 /** Whether automatic paths may use the third parameter. */
 export const third: ReadonlySignal<boolean> = wished;
 
-/** The document was opened with these way points: they stand until the pair changes. */
+/** The document was opened with these waypoints: they stand until the pair changes. */
 export function adoptPath(): void {
   const { path } = scene.peek();
   const whole = path.kind === "auto" && path.points.length > 0;

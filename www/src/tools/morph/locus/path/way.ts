@@ -28,7 +28,7 @@ export function place([u, v]: Uv, { u0, v0, u1, v1 }: Bounds): [x: number, y: nu
 
 const picked = signal<number | null>(null);
 
-/** The way point whose numbers are shown; null where it is gone or none was picked. */
+/** The waypoint whose numbers are shown; null where it is gone or none was picked. */
 export const chosen: ReadonlySignal<number | null> = computed(() =>
   picked.value !== null && picked.value < way.value.length ? picked.value : null,
 );
@@ -64,7 +64,7 @@ export function toneAt(point: Uv): VerdictWords["tone"] | null {
   return verdictWords(known.connectedness, known.epsilon).tone;
 }
 
-/** What becomes of the path about a way point: whether it breaks there, before it, or after. */
+/** What becomes of the path about a waypoint: whether it breaks there, before it, or after. */
 export function wayWords(index: number): string {
   const told = along.value?.ways[index] ?? toldAt(way.value[index] ?? [0, 0]);
   const times = timesOf(pathPoints.value);
@@ -82,7 +82,7 @@ export const pointWords = ([u, v, w = 0]: Uv): string =>
 
 const asked = signal(false);
 
-/** Whether way points show their third number: where one has it, and on request. */
+/** Whether waypoints show their third number: where one has it, and on request. */
 export const thirdShown: ReadonlySignal<boolean> = computed(
   () => asked.value || way.value.some(([, , w]) => (w ?? 0) !== 0),
 );
@@ -109,7 +109,7 @@ function set(points: Uv[], gesture?: string): void {
   edit((before) => setPoints(before, points), gesture === undefined ? {} : { gesture });
 }
 
-/** Moves a way point; it stays on the square, and, where only u and v are given, at its own w. */
+/** Moves a waypoint; it stays on the square, and, where only u and v are given, at its own w. */
 export function moveTo(index: number, point: Uv, gesture?: string): void {
   const [u, v, w = way.peek()[index]?.[2] ?? 0] = point;
   const to = kept([u, v, w]);
@@ -118,12 +118,12 @@ export function moveTo(index: number, point: Uv, gesture?: string): void {
 }
 
 /**
- * A way point more, on the segment that is nearest; it lies in the plane that is looked at. Returns its number, or null
+ * A waypoint more, on the segment that is nearest; it lies in the plane that is looked at. Returns its number, or null
  * where a link could hold no more.
  */
 export function addAt(point: Uv): number | null {
   if (way.peek().length >= MOST_POINTS) {
-    announce(`A path has at most ${MOST_POINTS} way points.`);
+    announce(`A path has at most ${MOST_POINTS} waypoints.`);
     return null;
   }
   const { segment } = nearestOn(pathPoints.peek(), point);
@@ -131,7 +131,7 @@ export function addAt(point: Uv): number | null {
   return addTo(segment, [u, v, w]);
 }
 
-/** A way point more, in the middle of the segment that starts at way point `index`; -1 is the first shape. */
+/** A waypoint more, in the middle of the segment that starts at waypoint `index`; -1 is the first shape. */
 export function addAfter(index: number): number | null {
   const from = pathPoints.peek()[index + 1];
   const to = pathPoints.peek()[index + 2];
@@ -147,11 +147,11 @@ function addTo(segment: number, point: Uv): number {
   set(insert(way.peek(), segment, at));
   keepMoment(before);
   pick(segment);
-  announce(`Way point ${segment + 1} of ${way.peek().length} added at ${pointWords(at)}, ${stateAt(at)}.`);
+  announce(`Waypoint ${segment + 1} of ${way.peek().length} added at ${pointWords(at)}, ${stateAt(at)}.`);
   return segment;
 }
 
-/** A way point more where the picture is now. */
+/** A waypoint more where the picture is now. */
 export function addHere(): number | null {
   const [u, v, w = 0] = uv.peek();
   return addAt([u, v, w]);
@@ -161,7 +161,7 @@ export function removeAt(index: number): void {
   endGesture();
   set(remove(way.peek(), index));
   pick(null);
-  announce(`Way point ${index + 1} removed, ${way.peek().length} left.`);
+  announce(`Waypoint ${index + 1} removed, ${way.peek().length} left.`);
 }
 
 /** The moment is told by length along the path: after a change it is looked up anew, so that the picture stays. */

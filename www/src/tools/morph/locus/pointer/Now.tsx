@@ -44,7 +44,7 @@ function OfMorph() {
               addAt([x, y, z]);
             }}
           >
-            Add as way point
+            Add as waypoint
           </Button>
         </div>
       )}

@@ -13,7 +13,7 @@ import { pointed } from "./hover";
 
 export const CROSS_HINT =
   "Arrow keys move the cross, with Shift finer, with Alt farther; plus and minus zoom about it, 0 shows all; " +
-  "Enter shows the shape there, A makes it a way point.";
+  "Enter shows the shape there, A makes it a waypoint.";
 
 /** Parts of the window that a key moves the cross by. */
 const STEP = 1 / 40;

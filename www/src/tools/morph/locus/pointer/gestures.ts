@@ -18,7 +18,7 @@ import { pointed } from "./hover";
 
 /** A hand must travel this far, in CSS pixels, before it drags: a tap stays a tap. */
 const DRAG_STARTS = 4;
-/** Holding a finger still for so long looks at what is under it, or takes a way point away. */
+/** Holding a finger still for so long looks at what is under it, or takes a waypoint away. */
 const LONG_PRESS_MS = 500;
 /** How near to the path a press counts as on it, in CSS pixels. */
 const LINE_REACH = 7;
@@ -30,7 +30,7 @@ type Place = readonly [x: number, y: number];
 
 interface Drag {
   pointer: number;
-  /** A way point by number, the place on the path, or the ground. */
+  /** A waypoint by number, the place on the path, or the ground. */
   what: number | "moment" | "ground";
   /** From the handle to where it was taken hold of, so that it does not jump. */
   offset: readonly [number, number];
@@ -79,7 +79,7 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
   const placeOf = (event: MouseEvent): Place => [event.clientX, event.clientY];
   const isMorph = () => view.peek().family === "morph";
 
-  /** The way point under a press, else the place on the path, else the ground. */
+  /** The waypoint under a press, else the place on the path, else the ground. */
   const hit = (point: Uv, reach: number): Drag["what"] => {
     if (!isMorph()) return "ground";
     const points = way.peek();
@@ -262,7 +262,7 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
   }
 
   /**
-   * A press on the path goes there; elsewhere it takes the point. The second of two takes a way point away, adds one on
+   * A press on the path goes there; elsewhere it takes the point. The second of two takes a waypoint away, adds one on
    * the path, and goes nearer anywhere else.
    */
   function press(at: Place, what: Drag["what"], { timeStamp: time, pointerType }: PointerEvent): void {
