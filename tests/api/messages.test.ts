@@ -12,19 +12,19 @@ const files = readdirSync(root, { recursive: true, encoding: "utf8" })
 const texts = new Map(files.map((path) => [path, readFileSync(join(root, path), "utf8")]));
 
 /** The rooms whose sentences all stand in catalogues. A room is added once it is done, and never leaves. */
-const DONE = ["compute", "format", "shell", "stage"];
+const DONE = ["compute", "format", "shell", "stage", "tools/morph"];
 
 /** Attributes and properties that a person reads or hears. */
 const READ =
-  /^(title|alt|label|placeholder|about|hint|description|text|valueText|unit|name|aria-(label|description|valuetext|roledescription|placeholder))$/;
+  /^(title|alt|label|placeholder|about|hint|description|text|valueText|unit|aria-(label|description|valuetext|roledescription|placeholder))$/;
 /** The same words may be a name for programs. Those of elements are never read. */
 const CODES = /^(name|text|unit)$/;
 
 /** Two words, or more: a code has none. */
 const SENTENCE = /\p{L}[,.:;]? +\p{L}/u;
 const WORD = /\p{L}{2}/u;
-/** A name of another program, of a format, or of Frond: the same in all languages. */
-const UNTRANSLATED = /^\s*(Frond|PNG|GIF|SVG|STL|OBJ|ZIP|WebM|MP4|APNG|JSON|CSV)\s*$/;
+/** A name of another program, of a format, or of Frond, or a symbol: the same in all languages. */
+const UNTRANSLATED = /^\s*(Frond|Re s|Im s|PNG|GIF|SVG|STL|OBJ|ZIP|WebM|MP4|APNG|JSON|CSV)\s*$/;
 
 interface Node {
   type: string;
@@ -64,7 +64,10 @@ function bareTexts(path: string, code: string): Bare[] {
       case "Literal": {
         const text = node["value"];
         if (typeof text !== "string" || UNTRANSLATED.test(text)) return;
-        if (READ.test(within) ? WORD.test(text) : SENTENCE.test(text) && /\p{Lu}|[.!?…]$/u.test(text))
+        const named = within === "name";
+        if (
+          READ.test(within) ? WORD.test(text) : SENTENCE.test(text) && (named || /\p{Lu}|[.!?…]$/u.test(text))
+        )
           say(node, text);
         return;
       }
@@ -84,9 +87,7 @@ function bareTexts(path: string, code: string): Bare[] {
             : within;
     // Names of elements, of styles and of addresses are for programs.
     if (
-      /^(class|style|href|src|d|viewBox|transform|type|role|id|key|rel|accept|name|fill|stroke)$/.test(
-        inside,
-      ) &&
+      /^(class|style|href|src|d|viewBox|transform|type|role|id|key|rel|accept|fill|stroke)$/.test(inside) &&
       node.type === "JSXAttribute"
     )
       return;

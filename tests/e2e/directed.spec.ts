@@ -80,7 +80,7 @@ test("a fern becomes an outline edge by edge, and its link opens it", async ({ s
   const leaf = await studio.look();
   expect(leaf.hash).not.toBe(fern.hash);
   await page.getByRole("button", { name: "More for shape B" }).click();
-  await page.getByRole("menuitem", { name: "Keep this shape" }).click();
+  await page.getByRole("menuitem", { name: "Save this shape" }).click();
   // It is kept once that is said: another page may be opened then.
   await expect(page.locator(".toasts")).toContainText(/kept|Yours/i);
   const link = new URL(page.url()).hash.slice(1);

@@ -94,7 +94,7 @@ test("by itself it is a page that everybody can use, with the map where that is 
   await page.goto("./embed.html?locus&theme=dark&origin=https://nobody.example#a=koch&b=gasket&t=0.5");
   await page.getByRole("slider", { name: "Time" }).waitFor();
   await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
-  await expect(page.getByRole("heading", { name: "Where the morph holds together" })).toBeVisible();
+  await expect(page.getByRole("heading", { name: "Where the morph stays in one piece" })).toBeVisible();
   await page.waitForFunction(() => window.frond !== undefined);
   await page.evaluate(() => window.frond?.idle());
   await expectClean(page);

@@ -96,7 +96,7 @@ test("a proof of pieces is checked and can be taken away", async ({ studio, page
   await expect(panel).toContainText("narrower than 1/600 of the diameter");
   await expect(panel).toContainText("Widest gap 0.056% of the diameter");
   await page.getByRole("button", { name: "Check the proof" }).click();
-  await expect(page.getByText(/^Checked in exact arithmetic: [\d,]+ pairs? of pieces/)).toBeVisible();
+  await expect(page.getByText(/^Verified in exact arithmetic: [\d,]+ pairs? of pieces/)).toBeVisible();
   // Only now is it called proved.
   await expect(studio.verdict).toHaveText("In pieces, provedgap 0.056%, finer than 1/600");
   const coming = page.waitForEvent("download");

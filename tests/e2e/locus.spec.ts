@@ -60,7 +60,7 @@ test("the map is enlarged by wheel, keys, buttons and numbers, and moved by hand
     await page.mouse.move(x, y);
     // Whoever scrolls past does not lose the place.
     await page.mouse.wheel(0, -300);
-    await expect(page.getByText("Click the map, or hold Ctrl, to zoom with the wheel")).toBeVisible();
+    await expect(page.getByText("Click the locus, or hold Ctrl, to zoom with the wheel")).toBeVisible();
     expect((await studio.scene()).locus).toBeUndefined();
     await page.mouse.down();
     await page.mouse.move(x + 8, y);
@@ -107,14 +107,14 @@ test("the map is enlarged by wheel, keys, buttons and numbers, and moved by hand
     await studio.idle();
   });
   await test.step("buttons", async () => {
-    await page.getByRole("button", { name: "Nearer" }).click();
+    await page.getByRole("button", { name: "Zoom in" }).click();
     expect((await studio.scene()).locus?.zoom).toBe(2);
-    await page.getByRole("button", { name: "All of the map" }).click();
+    await page.getByRole("button", { name: "Reset the view" }).click();
     expect((await studio.scene()).locus).toBeUndefined();
   });
   await test.step("numbers, down to the limit", async () => {
     await page.locator(".window-numbers summary").click();
-    const times = page.getByRole("spinbutton", { name: "Times nearer" });
+    const times = page.getByRole("spinbutton", { name: "Zoom" });
     await times.fill("1e13");
     await times.press("Enter");
     expect((await studio.scene()).locus?.zoom).toBe(1e13);
@@ -197,12 +197,12 @@ test("a slice off the path says so, and can be cut through the picture", async (
   await studio.open("a=dragon-3&b=gasket&path=drawn:0.5,0.5,0.4&t=0.5");
   await studio.idle();
   const plain = await painted(page);
-  await page.getByText("Stretch ahead of turn").first().click();
-  await page.getByRole("button", { name: "Show the map there" }).click();
+  await page.getByText("Third parameter:").first().click();
+  await page.getByRole("button", { name: "Show the locus there" }).click();
   expect((await studio.scene()).locus?.w).toBeCloseTo(0.4, 2);
   await studio.idle();
   expect(await painted(page)).not.toBe(plain);
-  await page.getByRole("slider", { name: "Stretch ahead of turn, w" }).press("Home");
+  await page.getByRole("slider", { name: "Stretch leads rotation by w" }).press("Home");
   expect((await studio.scene()).locus?.w).toBe(-1);
   await studio.idle();
 });
@@ -225,7 +225,7 @@ test("the set M, beside what is proved of it", async ({ studio, page }) => {
 
   // What belongs to the morph gives way to the way of s.
   await expect(page.getByRole("radio", { name: "Auto" })).toHaveCount(0);
-  await page.getByRole("slider", { name: "Turn of s about 0" }).press("ArrowRight");
+  await page.getByRole("slider", { name: "Angle of s around 0" }).press("ArrowRight");
   const [x = 0, y = 0] = (await studio.scene()).locus?.at ?? [];
   expect(Math.hypot(x, y)).toBeCloseTo(Math.SQRT1_2, 6);
   expect([x, y]).not.toEqual([0.5, 0.5]);

@@ -1,4 +1,4 @@
-/** A point that is followed on the stage and in lessons, and the game of reaching a cell. */
+/** Following a point on the stage and in lessons, and the game of reaching a cell. */
 import type { Page } from "@playwright/test";
 import { expectClean } from "./axe";
 import { expect, test } from "./fixture";

@@ -124,7 +124,7 @@ test("the automatic path holds where the straight one breaks", async ({ studio, 
   await expect(words).toHaveText(
     /^In one piece, proved, at \d+% of the sampled moments\. At the others no gap above 1\/600 was seen\./,
   );
-  await expect(page.getByRole("button", { name: "Prove it for every moment" })).toBeVisible();
+  await expect(page.getByRole("button", { name: "Try to prove the whole path" })).toBeVisible();
   expect((await studio.scene()).path.points.length).toBeGreaterThan(0);
   const film = page.getByRole("list", { name: "Film of the morph" }).getByRole("button");
   await expect(film).toHaveCount(13);
@@ -142,7 +142,7 @@ test("the automatic path holds where the straight one breaks", async ({ studio, 
   await expect(words).toHaveText(
     /^In pieces between 9\d%.*, gap 0\.1\d%, under 1\/600 of its size, by Frond’s own bounds\.\s*$/,
   );
-  await expect(page.getByRole("button", { name: "Prove how narrow its gaps stay" })).toBeVisible();
+  await expect(page.getByRole("button", { name: "Try to bound the gaps of the path" })).toBeVisible();
 });
 
 test("a path has 64 waypoints at most", async ({ studio, page }) => {
@@ -160,7 +160,7 @@ test("a path has 64 waypoints at most", async ({ studio, page }) => {
 
 test("where the automatic path breaks, a way that holds is found and offered", async ({ studio, page }) => {
   await studio.open("a=koch&b=dragon&path=auto");
-  const use = page.getByRole("button", { name: "Use it" });
+  const use = page.getByRole("button", { name: "Apply" });
   await use.waitFor({ timeout: 60_000 });
   await expect(page.locator(".side")).toContainText(
     "Pairing joint by joint keeps the morph in one piece, up to rounding.",
@@ -171,7 +171,7 @@ test("where the automatic path breaks, a way that holds is found and offered", a
   await use.click();
   expect(await studio.scene()).toMatchObject({ mode: "linear", path: { kind: "straight" } });
   expect((await studio.scene()).a.maps).toHaveLength(4);
-  await page.getByRole("button", { name: "Prove it for every moment" }).click();
+  await page.getByRole("button", { name: "Try to prove the whole path" }).click();
   await expect(page.getByText(/Proved, at every moment of this path: .* one of 3 joints/)).toBeVisible({
     timeout: 30_000,
   });

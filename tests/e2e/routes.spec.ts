@@ -3,11 +3,11 @@ import { expect, test } from "./fixture";
 test("a path is proved end to end, until it changes", async ({ studio, page }) => {
   await studio.open("a=gasket&b=gasket&path=drawn:0.5,0.5");
   await studio.idle();
-  await page.getByRole("button", { name: "Prove it for every moment" }).click();
+  await page.getByRole("button", { name: "Try to prove the whole path" }).click();
   await expect(page.getByText(/moment of this path.* in [\d,]+ steps?\./)).toBeVisible();
   await studio.way(1).focus();
   await page.keyboard.press("ArrowRight");
-  await expect(page.getByRole("button", { name: "Prove it for every moment" })).toBeVisible();
+  await expect(page.getByRole("button", { name: "Try to prove the whole path" })).toBeVisible();
 });
 
 test("a waypoint says where the path breaks, and takes a third number", async ({ studio, page }) => {
@@ -15,7 +15,7 @@ test("a waypoint says where the path breaks, and takes a third number", async ({
   await studio.idle();
   await studio.way(1).focus();
   await expect(page.locator(".way-point legend")).toHaveText(
-    /Waypoint 1 of 1 in pieces, gap [\d.]+%, by Frond’s own bounds, breaks on the way to it/,
+    /Waypoint 1 of 1 in pieces, gap [\d.]+%, by Frond’s own bounds, breaks on the path before it/,
   );
   const w = page.getByRole("spinbutton", { name: "stretch lead, w" });
   await expect(w).toHaveCount(0);
@@ -32,8 +32,8 @@ test("another way to match is one step", async ({ studio, page }) => {
   await studio.idle();
   const before = await studio.scene();
   await page.getByText("Which map becomes which").click();
-  await page.getByText("Other ways to match").click();
-  const ways = page.getByRole("radiogroup", { name: "Ways to match" }).getByRole("radio");
+  await page.getByText("Other pairings").click();
+  const ways = page.getByRole("radiogroup", { name: "Pairings" }).getByRole("radio");
   await expect(page.getByText(/^The best first/)).toBeVisible();
   expect(await ways.count()).toBeGreaterThan(1);
   await expect(ways.first()).toHaveAccessibleName(/: (no gap seen anywhere|gap [\d.]+%)$/);
@@ -59,8 +59,8 @@ test("another way to match is one step", async ({ studio, page }) => {
 test("shapes that reflect oppositely have ways across", async ({ studio, page }) => {
   await studio.open("a=fern&b=maple");
   const before = await studio.scene();
-  await page.locator(".notes").getByRole("button", { name: "Other ways across" }).click();
-  const ways = page.getByRole("radiogroup", { name: "Ways across" }).getByRole("radio");
+  await page.locator(".notes").getByRole("button", { name: "Other paths" }).click();
+  const ways = page.getByRole("radiogroup", { name: "Paths" }).getByRole("radio");
   await expect(ways.first()).toBeAttached();
   // What happens if nothing is chosen comes first.
   await expect(ways.first()).toBeChecked();

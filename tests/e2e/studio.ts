@@ -57,7 +57,7 @@ export class Studio {
     if (this.page.url() !== "about:blank") await this.page.goto("about:blank");
     await this.page.goto(`./${query}${fragment === "" ? "" : `#${fragment}`}`);
     // Of a family's map, the way of s takes the place of time.
-    await this.time.or(this.page.getByRole("slider", { name: "Turn of s about 0" })).waitFor();
+    await this.time.or(this.page.getByRole("slider", { name: "Angle of s around 0" })).waitFor();
   }
 
   /** Every notice since the page was opened: most leave by themselves, on a slow machine before they are looked for. */

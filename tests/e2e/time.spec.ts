@@ -106,7 +106,7 @@ test("time goes by the mouse, by itself, by the film and by numbers", async ({ s
 
 test("without the loop it stops at the end", async ({ studio, page }) => {
   await studio.open(`${BREAKING}&t=0.97`);
-  await page.getByRole("button", { name: "Back and forth for ever" }).click();
+  await page.getByRole("button", { name: "Loop back and forth" }).click();
   await page.getByRole("radio", { name: "2×" }).check();
   await page.getByRole("button", { name: "Play" }).click();
   await expect.poll(async () => (await studio.scene()).t).toBe(1);

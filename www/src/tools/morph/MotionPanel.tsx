@@ -5,30 +5,31 @@ import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Colouring, Mode } from "#wasm/api";
 import { FOLLOW, orbitOpen, toggleOrbit } from "./dialogs";
+import * as messages from "./messages";
 import css from "./morph.module.css";
 import { colouring, compare, mode } from "./parts";
 
 const MODES: readonly { value: Mode; label: string; description: string }[] = [
   {
     value: "polar",
-    label: "Turning",
-    description: "Polar: each map turns and stretches on its own, so pieces keep their size",
+    label: messages.byRotation,
+    description: messages.polarEachMapRotates,
   },
-  { value: "linear", label: "Linear", description: "Number by number: pieces shrink and flatten half-way" },
+  { value: "linear", label: messages.entryByEntry, description: messages.linearMatrixEntriesBlended },
 ];
 
 const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [
-  { value: "map", label: "Map", description: "One colour for each of the largest copies" },
-  { value: "address", label: "Address", description: "A shade for each copy of a copy" },
-  { value: "density", label: "Density", description: "Brighter where points fall more often" },
+  { value: "map", label: messages.map, description: messages.oneColourForEach },
+  { value: "address", label: messages.address, description: messages.shadeForEachCopy },
+  { value: "density", label: messages.density, description: messages.brighterWhereMorePoints },
 ];
 
 /** How it moves from one shape to the other, and how it is coloured. */
 export function MotionPanel() {
   return (
-    <section class={css["motion"]} aria-label="Motion and colour">
+    <section class={css["motion"]} aria-label={messages.motionAndColour}>
       <ChoiceRow
-        label="Motion"
+        label={messages.blendMaps}
         value={mode.value}
         options={MODES}
         onChange={(next) => edit((before) => ({ ...before, mode: next }))}
@@ -36,14 +37,14 @@ export function MotionPanel() {
       <div class="row">
         <Switch
           checked={compare.value}
-          description="The turning morph and the linear one at the same moment"
+          description={messages.showsBothWaysTo}
           onChange={(next) => edit((before) => ({ ...before, compare: next }))}
         >
-          Turning and linear side by side
+          {messages.compareBothSideBy}
         </Switch>
       </div>
       <ChoiceRow
-        label="Colour by"
+        label={messages.colourBy}
         value={colouring.value}
         options={COLOURINGS}
         onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
@@ -51,12 +52,12 @@ export function MotionPanel() {
       <Palettes />
       <div class="row">
         <Button
-          description="Apply the maps to a point one by one, or read its address"
+          description={messages.applyMapsToPoint}
           command="orbit"
           buttonRef={FOLLOW}
           onClick={toggleOrbit}
         >
-          {orbitOpen.value ? "End following the point" : "Follow a point"}
+          {orbitOpen.value ? messages.stopFollowingPoint : messages.followPoint}
         </Button>
       </div>
     </section>

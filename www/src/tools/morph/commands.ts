@@ -11,6 +11,7 @@ import type { Timeline } from "#ui/strip/timeline";
 import { editMaps, endEditing, gallery, takeWhole, toggleOrbit } from "./dialogs";
 import { course, placeOf } from "./locus/families/course";
 import { toggleFull, toggleLarge } from "./locus/view/large";
+import * as messages from "./messages";
 import { frames } from "./strip/FilmStrip";
 import { scrubTo } from "./strip/scrub";
 
@@ -45,39 +46,39 @@ export const timeline: Timeline = {
   stop: "frame",
 };
 
-const SHAPES = "Shapes and picture";
+const SHAPES = messages.shapesAndPicture;
 
 /** Whether the focus is on the picture, or nowhere. */
 const onStage = () =>
   !document.activeElement?.matches("body *") || !!document.activeElement.closest(".stage");
 
 export const commands: readonly Command[] = [
-  ...widgetKeys("Path, with a point in focus", [
-    ["way-move", "Move by 0.01; Shift finer, Alt coarser", "←", "→", "↑", "↓"],
-    ["way-add", "Add a waypoint", "+", "Enter"],
-    ["way-remove", "Remove the waypoint", "Delete", "−"],
+  ...widgetKeys(messages.pathWithPointFocused, [
+    ["way-move", messages.moveBy001, "←", "→", "↑", "↓"],
+    ["way-add", messages.addWaypoint, "+", messages.enter],
+    ["way-remove", messages.removeWaypoint, messages.deleteLabel, "−"],
   ]),
-  ...widgetKeys("Outline of a map, in focus (Tab)", [
-    ["map-move", "Choose it and move it; Shift finer", "←", "→", "↑", "↓"],
-    ["map-choose", "Choose it", "Enter"],
+  ...widgetKeys(messages.outlineMapFocusedTab, [
+    ["map-move", messages.selectAndMoveShift, "←", "→", "↑", "↓"],
+    ["map-choose", messages.select, messages.enter],
   ]),
-  ...widgetKeys("Map, in focus", [
-    ["cross-move", "Move the cross; Shift finer, Alt farther", "←", "→", "↑", "↓"],
-    ["map-zoom", "Nearer, farther, all of it", "+", "−", "0"],
-    ["cross-show", "Show the shape under the cross", "Enter"],
-    ["cross-way", "Make it a waypoint", "A"],
+  ...widgetKeys(messages.locusFocused, [
+    ["cross-move", messages.moveCrossShiftFiner, "←", "→", "↑", "↓"],
+    ["map-zoom", messages.zoomInZoomOut, "+", "−", "0"],
+    ["cross-show", messages.showShapeAtCross, messages.enter],
+    ["cross-way", messages.makeWaypoint, "A"],
   ]),
-  ...widgetKeys("A point that is followed", [
-    ["orbit-map", "Apply the map of this number", "1", "…", "9"],
-    ["orbit-back", "One step back", "Backspace"],
-    ["orbit-move", "Move the point, in focus; Shift finer", "←", "→", "↑", "↓"],
+  ...widgetKeys(messages.followingPoint, [
+    ["orbit-map", messages.applyMapWithThis, "1", "…", "9"],
+    ["orbit-back", messages.oneStepBack, messages.backspace],
+    ["orbit-move", messages.movePointFocusedShift, "←", "→", "↑", "↓"],
   ]),
   galleryCommand(SHAPES, () => {
     gallery.value = selection.peek()?.target ?? "a";
   }),
   {
     id: "edit",
-    label: "Edit the maps",
+    label: messages.editMaps,
     group: SHAPES,
     keys: ["E"],
     // A closed curve is edited where it is fitted, a graph in its panel.
@@ -89,7 +90,7 @@ export const commands: readonly Command[] = [
   },
   {
     id: "whole",
-    label: "Take the whole shape in hand",
+    label: messages.moveOrRotateWhole,
     group: SHAPES,
     keys: ["Shift+E"],
     enabled: () => !standIn.peek(),
@@ -101,7 +102,7 @@ export const commands: readonly Command[] = [
   },
   {
     id: "map-remove",
-    label: "Remove the map that is chosen",
+    label: messages.removeSelectedMap,
     group: SHAPES,
     keys: ["Delete", "Backspace"],
     // Whoever is elsewhere on the page means something else by this key.
@@ -110,7 +111,7 @@ export const commands: readonly Command[] = [
   },
   {
     id: "map-large",
-    label: "The map in the place of the stage, and back",
+    label: messages.swapPictureAndLocus,
     group: SHAPES,
     keys: ["L"],
     enabled: () => !standIn.peek(),
@@ -118,7 +119,7 @@ export const commands: readonly Command[] = [
   },
   {
     id: "map-full",
-    label: "The map over the whole screen, and back",
+    label: messages.locusOnWholeScreen,
     group: SHAPES,
     keys: ["Shift+L"],
     enabled: () => !standIn.peek(),
@@ -126,7 +127,7 @@ export const commands: readonly Command[] = [
   },
   {
     id: "orbit",
-    label: "Follow a point, map by map, and end it",
+    label: messages.followPointMapBy,
     group: SHAPES,
     keys: ["Shift+O"],
     enabled: () => !standIn.peek(),
@@ -138,7 +139,7 @@ export const commands: readonly Command[] = [
   ),
   {
     id: "describe",
-    label: "Say what the picture looks like",
+    label: messages.describePicture,
     group: SHAPES,
     keys: ["D"],
     run: () =>

@@ -31,6 +31,7 @@ import { plainName } from "#ui/files/download";
 import type { Pairing } from "#wasm/api";
 import { planeDrawer } from "#workers/film/plane-drawer";
 import type { Drawer, FrameLook, Inset, Place } from "#workers/film/subject";
+import * as messages from "./messages";
 
 /** What stands there now is taken once: the document may change while the film is made. */
 export async function films(): Promise<Films> {
@@ -83,7 +84,7 @@ export async function films(): Promise<Films> {
   const name = [ends?.a ?? a, ends?.b ?? b].map((end) => plainName(end.name, "shape", 24)).join("-");
   const morph: FilmSubject = {
     id: "morph",
-    label: "The morph",
+    label: messages.morph,
     name,
     seconds,
     anyLength: true,
@@ -98,7 +99,7 @@ export async function films(): Promise<Films> {
       const known = way
         ? frames[Math.round(t * (frames.length - 1))]?.verdict
         : told?.[Math.round(t * (told.length - 1))];
-      const words = curve ? "one closed curve" : known ? verdictPhrase(known) : null;
+      const words = curve ? messages.oneClosedCurve : known ? verdictPhrase(known) : null;
       return words === null ? percent(t) : `${percent(t)}, ${words}`;
     },
     ...(instead ? {} : insetOf(pair, points, moment)),
@@ -135,5 +136,5 @@ function insetOf(pair: Pairing, points: readonly Uv[], moment: (at: number) => n
 function nearer(): string {
   const { a, b, t } = scene.peek();
   if (t === 0) return a.name;
-  return t === 1 ? b.name : `${a.name} to ${b.name}`;
+  return t === 1 ? b.name : messages.fromTo(a.name, b.name);
 }

@@ -13,6 +13,7 @@ import { PairNotes, PairsPanel } from "./pairs/PairsPanel";
 import { Ends } from "./shapes/Ends";
 import { PlaybackOptions } from "./strip/MorphStrip";
 import "#ui/panel/panel.css";
+import * as messages from "./messages";
 import css from "./morph.module.css";
 
 /** Everything beside the picture: the shapes and the way between both. */
@@ -52,8 +53,8 @@ function Systems() {
 function Cure() {
   if (!stuck.value) return null;
   return (
-    <section class={css["cure"]} aria-label="Other ways">
-      <p>This way falls apart.</p>
+    <section class={css["cure"]} aria-label={messages.otherPaths}>
+      <p>{messages.thisPathFallsApart}</p>
       <OtherWays />
     </section>
   );

@@ -8,6 +8,7 @@ import { scene } from "#document/scene";
 import type { NamedMaps } from "#ui/files/exporting";
 import type { Colouring, Mode, PathKind, Shape } from "#wasm/api";
 import type { End } from "./changes";
+import * as messages from "./messages";
 
 export const shapes: Record<End, ReadonlySignal<Shape>> = {
   a: computed(() => scene.value.a),
@@ -29,7 +30,7 @@ export function namedMaps(): NamedMaps[] {
     { label: "B", name: b.name, maps: b.maps, weights: b.weights, palette },
   ];
   if (t === 0 || t === 1) return ends;
-  const name = `${a.name} to ${b.name} at ${t.toFixed(2)}`;
+  const name = messages.fromToAt(a.name, b.name, t.toFixed(2));
   return [
     ...ends,
     { label: `t = ${t.toFixed(2)}`, name, maps: current.peek(), weights: ownWeights.peek(), palette },

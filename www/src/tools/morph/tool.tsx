@@ -7,14 +7,15 @@ import { orbitOpen } from "./dialogs";
 import { MorphPanel } from "./index";
 import { fetchAhead, MorphEvidence, OrbitOverlay, StandIn } from "./later";
 import { MorphChip } from "./MorphChip";
+import * as messages from "./messages";
 import { namedMaps } from "./parts";
 import { MorphStrip } from "./strip/MorphStrip";
 
 export const morph: ToolEntry = {
   id: "morph",
-  label: "Morph",
-  title: "Frond: morph one fractal into another",
-  side: "Shapes and path",
+  label: messages.morph2,
+  title: messages.frondMorphOneFractal,
+  side: messages.shapesAndPath,
   tool: {
     Overlay: () => (
       <>

@@ -19,6 +19,7 @@ import type { Connectedness, MapRow, Reason } from "#wasm/api";
 import { frond } from "#wasm/core";
 import css from "./evidence.module.css";
 import { CHIP_ID, PANEL_ID } from "./ids";
+import * as messages from "./messages";
 import { Proof } from "./Proof";
 import { accountOf, addressWords, clusterWords, gapWords, linkWords } from "./words";
 
@@ -46,7 +47,7 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
       {answer.reason && <Because reason={answer.reason} />}
       {gap !== null && (
         <p>
-          <span class={css["evidence-name"]}>Widest gap</span> {gap}.
+          <span class={css["evidence-name"]}>{messages.widestGap}</span> {gap}.
         </p>
       )}
       {answer.components.length > 0 && <Groups answer={answer} />}
@@ -59,10 +60,10 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
           evidenceKept.value = on;
         }}
       >
-        Keep the marks on the picture
+        {messages.keepMarksOnPicture}
       </Switch>
       <Button kind="quiet" icon="save" onClick={() => void saveDrawing(answer, epsilon)}>
-        Save the drawing (SVG)
+        {messages.saveDrawingSvg}
       </Button>
     </>
   );
@@ -71,7 +72,7 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
 async function saveDrawing(answer: Connectedness, epsilon: number): Promise<void> {
   const maps = shown.peek();
   const { a, b, t } = scene.peek();
-  const name = t === 0 ? a.name : t === 1 ? b.name : `${a.name} to ${b.name}, ${percent(t)}`;
+  const name = t === 0 ? a.name : t === 1 ? b.name : messages.fromToAt(a.name, b.name, percent(t));
   try {
     const { evidenceDrawing } = await import("./drawing");
     const gap = answer.closest && answer.verdict === "disconnected" ? answer.closest : null;
@@ -90,7 +91,7 @@ async function saveDrawing(answer: Connectedness, epsilon: number): Promise<void
       `frond-${plainName(name, "shape", 48)}-evidence.svg`,
     );
   } catch (problem) {
-    notify({ kind: "error", text: `The drawing could not be saved: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.drawingFailed(wordsOf(problem)) });
   }
 }
 
@@ -110,7 +111,7 @@ function InWords({ answer }: { answer: Connectedness }) {
   }, [answer]);
   return (
     <details>
-      <summary>The picture in words</summary>
+      <summary>{messages.descriptionPicture}</summary>
       <p>{words}</p>
     </details>
   );
@@ -140,18 +141,18 @@ function Because({ reason }: { reason: Reason }) {
       <p>{text}</p>
       {assuming.length > 0 && (
         <details>
-          <summary>How the numbers are read</summary>
-          <p>As they are given they only come near, so this is no proof. Read so: {assuming.join("; ")}.</p>
+          <summary>{messages.howNumbersInterpreted}</summary>
+          <p>{messages.notExact(assuming.join("; "))}</p>
         </details>
       )}
       {links.length > 0 && (
         <details>
-          <summary>Where they hold on to each other</summary>
+          <summary>{messages.wherePiecesTouch}</summary>
           <ul>
             {links.slice(0, MOST_LINKS).map((link) => (
               <li key={`${link.kind} ${link.pair.join()} ${link.words.join()}`}>{linkWords(link)}</li>
             ))}
-            {links.length > MOST_LINKS && <li>And {links.length - MOST_LINKS} more like these.</li>}
+            {links.length > MOST_LINKS && <li>{messages.moreLinks(links.length - MOST_LINKS)}</li>}
           </ul>
           {example !== undefined && <p>{addressWords(example)}</p>}
         </details>
@@ -166,7 +167,7 @@ function Why({ kind }: { kind: Reason["kind"] | "apart" }) {
   return (
     <p>
       <a href={`./theorems.html#${kind}`} target="_blank" rel="noopener">
-        Why that is a proof
+        {messages.whyProof}
       </a>
     </p>
   );
@@ -183,10 +184,12 @@ function Groups({ answer }: { answer: Connectedness }) {
         angles={maps.length === count ? anglesOf(maps) : answer.components.map((_, i) => i)}
         edges={answer.overlaps}
         colours={stageStyle.value.palette}
-        label={`Which pieces meet: ${answer.overlaps.map(([i, j]) => `${i + 1} with ${j + 1}`).join(", ") || "none"}`}
+        label={messages.piecesMeeting(
+          answer.overlaps.map(([i, j]) => messages.pairWith(i + 1, j + 1)).join(", ") || messages.none,
+        )}
       />
       <figcaption>
-        <span class={css["evidence-name"]}>Which pieces hang together</span>
+        <span class={css["evidence-name"]}>{messages.piecesConnected}</span>
         <span class="number">{clusterWords(answer.components)}</span>
       </figcaption>
     </figure>

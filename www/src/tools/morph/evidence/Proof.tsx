@@ -4,6 +4,7 @@ import { Button } from "#ui/controls/Button";
 import { download } from "#ui/files/download";
 import type { Certificate, ConnectedCertificate } from "#wasm/api";
 import css from "./evidence.module.css";
+import * as messages from "./messages";
 import { checkWords } from "./words";
 
 /** The proof that it is in one piece, or in several: made, checked, and given away when asked for. */
@@ -12,10 +13,10 @@ export function Proof({ connected }: { connected: boolean }) {
   return (
     <div class={css["evidence-proof"]}>
       {now?.state === "there" ? (
-        <Button onClick={() => saveProof(now.certificate)}>Download the proof</Button>
+        <Button onClick={() => saveProof(now.certificate)}>{messages.downloadProof}</Button>
       ) : (
         <Button disabled={now?.state === "asked"} onClick={prove}>
-          Check the proof
+          {messages.checkProof}
         </Button>
       )}
       <p role="status">{proofWords(now, connected)}</p>
@@ -26,15 +27,13 @@ export function Proof({ connected }: { connected: boolean }) {
 function proofWords(now: Proved | null, connected: boolean): string {
   switch (now?.state) {
     case "asked":
-      return "Writing it down and checking it …";
+      return messages.writingAndCheckingProof;
     case "there":
       return checkWords(now.check);
     case "none":
-      return `There is no proof to show. ${now.why}`;
+      return messages.noProof(now.why);
     default:
-      return connected
-        ? "Every link between pieces, shown to hold."
-        : "Every pair of pieces across the gap, shown to be apart.";
+      return connected ? messages.checksEveryContactBetween : messages.checksAllPiecesOn;
   }
 }
 
@@ -43,6 +42,6 @@ function saveProof(certificate: Certificate | ConnectedCertificate): void {
     const blob = new Blob([`${JSON.stringify(certificate)}\n`], { type: "application/json" });
     download(blob, "frond-proof.json");
   } catch (problem) {
-    notify({ kind: "error", text: `The proof could not be saved: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.proofFailed(wordsOf(problem)) });
   }
 }

@@ -13,6 +13,7 @@ import { palette } from "#style/palette";
 import type { Connectedness, MapRow } from "#wasm/api";
 import { submit } from "#workers/pool/engine";
 import { single } from "#workers/pool/protocol";
+import * as messages from "./messages";
 
 /** Pixels a side: holes that a glance sees. */
 const SIDE = 200;
@@ -25,7 +26,7 @@ function nameNow(): string {
   const editing = selection.peek()?.target;
   if (editing) return rest[editing].name;
   if (t === 0 || t === 1) return (t === 0 ? a : b).name;
-  return `${a.name} to ${b.name}, ${percent(t)} of the way`;
+  return messages.fromToOnPath(a.name, b.name, percent(t));
 }
 
 export async function describeStage(): Promise<string> {

@@ -24,7 +24,7 @@ const plain = {
 test("a drawing has the shape in its pieces, and what joins them where they meet", () => {
   const text = evidenceDrawing(plain);
   expect(text).toContain("<title>Mine &lt;b&gt;</title>");
-  const [, count] = /<desc>In one piece\. (\d+) pieces of the shape/.exec(text) ?? [];
+  const [, count] = /<desc>In one piece\. ([\d,]+) pieces of the shape/.exec(text) ?? [];
   expect(text.match(/Z/g)?.length).toBe(Number(count));
   expect(Number(count)).toBeGreaterThan(500);
   expect(Number(count)).toBeLessThanOrEqual(3000);

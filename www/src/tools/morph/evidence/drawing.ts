@@ -3,6 +3,7 @@ import { after2, imageOf } from "#geometry/maps/affine2";
 import { BAD, BLACK, GREY, INK, WHITE } from "#style/colours";
 import { escaped, rounded, svgFile, tag } from "#ui/files/svg";
 import type { Link, MapRow } from "#wasm/api";
+import * as messages from "./messages";
 
 type Point = readonly [number, number];
 
@@ -68,8 +69,8 @@ export function evidenceDrawing(evidence: Evidence): string {
     ...(gap ? gapOf(gap, at) : []),
   ];
   const box = [0, 0, across * scale + 2 * MARGIN, down * scale + 2 * MARGIN] as const;
-  const count = pieces.length === 1 ? "One piece" : `${pieces.length} pieces`;
-  const about = `${words} ${count} of the shape. Made by Frond.`;
+  const count = messages.piecesDrawn(pieces.length);
+  const about = messages.drawingAbout(words, count);
   return svgFile({ box, title, about }, ...parts);
 }
 

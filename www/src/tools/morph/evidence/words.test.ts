@@ -78,13 +78,13 @@ describe("links and checks", () => {
 
   it("explains an address", () => {
     expect(addressWords("1(2)")).toBe(
-      "1(2) is short for 12222…: each letter is a piece within the one before.",
+      "1(2) is short for 12222…: each digit is a piece inside the previous one.",
     );
     expect(addressWords("12(31)")).toBe(
-      "12(31) is short for 12313…: each letter is a piece within the one before.",
+      "12(31) is short for 12313…: each digit is a piece inside the previous one.",
     );
     expect(addressWords("12.3.(10)")).toBe(
-      "12.3.(10) is short for 12.3.10.10.10…: each letter is a piece within the one before.",
+      "12.3.(10) is short for 12.3.10.10.10…: each digit is a piece inside the previous one.",
     );
     expect(addressWords(".(12)")).toMatch(/^\.\(12\) is short for 12\.12\.12\.12\.12…/);
     expect(addressWords("3.3.3.3.(1.2)")).toMatch(/short for 3\.3\.3\.3\.1\.2…/);
@@ -94,13 +94,13 @@ describe("links and checks", () => {
 
   it("says what was checked, or what is wrong", () => {
     expect(checkWords({ valid: true, text: "", pairs: 47, links: 0, longest: 9 })).toBe(
-      "Checked in exact arithmetic: 47 pairs of pieces, words of up to 9 letters.",
+      "Verified in exact arithmetic: 47 pairs of pieces, up to level 9.",
     );
     expect(checkWords({ valid: true, text: "", pairs: 1, links: 0, longest: 1 })).toBe(
-      "Checked in exact arithmetic: 1 pair of pieces, words of one letter.",
+      "Verified in exact arithmetic: 1 pair of pieces, at level 1.",
     );
     expect(checkWords({ valid: true, text: "", pairs: 0, links: 3, longest: 13 })).toBe(
-      "Checked in exact arithmetic: 3 links between pieces, words of up to 13 letters.",
+      "Verified in exact arithmetic: 3 contacts, pieces up to level 13.",
     );
     expect(checkWords({ valid: true, text: "", pairs: 0, links: 1, longest: 1 })).toBe(
       "Checked in exact arithmetic: 1 link between pieces, words of one letter.",

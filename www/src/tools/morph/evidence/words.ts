@@ -3,28 +3,26 @@
 import { countWords, lengthWords, resolutionWords, shareOf, shareWords, stateOf } from "#format/verdict";
 import { STATE } from "#geometry/states";
 import type { CertificateCheck, Connectedness, Link } from "#wasm/api";
+import * as messages from "./messages";
 
 /** How far the verdict can be relied on, and why. Only a proof is said to be one. */
 export function accountOf(answer: Connectedness, epsilon: number): string {
   const fine = resolutionWords(epsilon);
   switch (answer.verdict) {
     case "connected": {
-      const how = answer.reason ? "" : " Proved as on the map: enough of its pieces cross, or share points.";
-      return `From each of its pieces every other can be reached without a leap, at any magnification.${how}`;
+      const how = answer.reason ? "" : messages.proofOneUsedFor;
+      return messages.onePiece(how);
     }
     case "touching":
-      return `Its pieces come within ${fine} of its diameter of each other, so that no gap is seen at that resolution. Whether they truly meet is not proved.`;
+      return messages.touching(fine);
     case "disconnected": {
-      const hidden =
-        stateOf(answer, epsilon) === STATE.hidden
-          ? ` It is narrower than ${fine} of the diameter, so that a picture of so many pixels does not show it.`
-          : "";
-      return `No matter how closely one looks, nothing bridges the gap between these clusters of pieces.${hidden} How many parts there are is not counted: each piece is a copy of the whole, and may be in pieces as the whole is.`;
+      const hidden = stateOf(answer, epsilon) === STATE.hidden ? messages.narrowGap(fine) : "";
+      return messages.inPieces(hidden);
     }
     case "undecided":
-      return `After ${countWords(answer.nodes)} pairs of pieces Frond has neither found a gap nor come close enough to say that it looks whole.`;
+      return messages.undecided(countWords(answer.nodes));
     case "no-attractor":
-      return "Together these maps do not contract: points wander off, and never settle on a shape that could be in one piece or several.";
+      return messages.togetherTheseMapsDo;
   }
 }
 
@@ -33,13 +31,13 @@ export function gapWords(answer: Connectedness): string | null {
   const { verdict, gap } = answer;
   if (verdict === "connected" || verdict === "no-attractor" || !Number.isFinite(gap.upper)) return null;
   const share = shareWords(shareOf(answer));
-  const part = share === "" ? "" : `${share} of the diameter: `;
-  const unit = "in units of the plane";
+  const part = share === "" ? "" : messages.shareOf(share);
+  const unit = messages.inUnitsPlane;
   if (verdict === "disconnected") {
     const [low, high] = apart(gap.lower, gap.upper);
-    return low === high ? `${part}${high} ${unit}` : `${part}between ${low} and ${high} ${unit}`;
+    return low === high ? messages.exactly(part, high, unit) : messages.between(part, low, high, unit);
   }
-  return `at most ${part}${lengthWords(gap.upper)} ${unit}`;
+  return messages.atMost(part, lengthWords(gap.upper), unit);
 }
 
 /** Two bounds with as many digits as it takes to tell them apart, five at most. */
@@ -67,7 +65,7 @@ function numbersWords(maps: readonly number[]): string {
     let end = i;
     while (sorted[end + 1] === (sorted[end] ?? 0) + 1) end++;
     const [from, to] = [(sorted[i] ?? 0) + 1, (sorted[end] ?? 0) + 1];
-    if (end - i >= 3) spans.push(`${from} to ${to}`);
+    if (end - i >= 3) spans.push(messages.range(from, to));
     else for (let n = from; n <= to; n++) spans.push(String(n));
     i = end + 1;
   }
@@ -86,16 +84,14 @@ export function clusterWords(components: readonly number[]): string {
 
 /** What holds two pieces together, as a sentence. */
 export function linkWords({ kind, pair: [i, j], words, at }: Link): string {
-  const pieces = `Pieces ${i + 1} and ${j + 1}`;
-  if (kind === "crossing")
-    return `${pieces} cross: a path through copy ${words[0]} has to meet one through copy ${words[1]}.`;
-  if (kind === "difference")
-    return `${pieces} meet: the step from one to the other is the difference of two points of such a piece.`;
-  if (kind === "line") return `${pieces} overlap on the line that holds the whole shape.`;
-  if (kind === "area") return `${pieces} are too large to leave room between them.`;
+  const pieces = messages.piecePair(i + 1, j + 1);
+  if (kind === "crossing") return messages.cross(pieces, words[0], words[1]);
+  if (kind === "difference") return messages.difference(pieces);
+  if (kind === "line") return messages.overlapOnLine(pieces);
+  if (kind === "area") return messages.area(pieces);
   // Rounding leaves a trace where a number is 0.
   const place = at.map((x) => lengthWords(Math.abs(x) < 1e-12 ? 0 : x).replace("-", "−")).join(", ");
-  return `${pieces} share the point (${place}), address ${words[0]} = ${words[1]}.`;
+  return messages.sharePoint(pieces, place, words[0], words[1]);
 }
 
 /**
@@ -113,20 +109,20 @@ export function addressWords(address: string): string {
   while (written.length < Math.max(5, head.length + 2)) {
     written.push(again[(written.length - head.length) % again.length] ?? "");
   }
-  return `${address} is short for ${written.join(dot)}…: each letter is a piece within the one before.`;
+  return messages.addressShort(address, written.join(dot));
 }
 
 /** What the checker said. */
 export function checkWords(check: CertificateCheck): string {
-  if (!check.valid) return `The check failed: ${check.text}`;
+  if (!check.valid) return messages.checkFailed(check.text);
   if (check.links > 0) {
-    const links = check.links === 1 ? "1 link" : `${check.links.toLocaleString("en")} links`;
-    return `Checked in exact arithmetic: ${links} between pieces, ${lettersOf(check)}.`;
+    const links = messages.contacts(check.links);
+    return messages.contactsVerified(links, lettersOf(check));
   }
-  const pairs = check.pairs === 1 ? "1 pair" : `${check.pairs.toLocaleString("en")} pairs`;
-  return `Checked in exact arithmetic: ${pairs} of pieces, ${lettersOf(check)}.`;
+  const pairs = messages.pairs(check.pairs);
+  return messages.pairsVerified(pairs, lettersOf(check));
 }
 
 function lettersOf({ longest }: CertificateCheck): string {
-  return longest === 1 ? "words of one letter" : `words of up to ${longest} letters`;
+  return messages.levels(longest);
 }

@@ -15,6 +15,7 @@ import { followCritical } from "./families/critical";
 import fieldCss from "./field.module.css";
 import { LocusSquare } from "./LocusSquare";
 import largeCss from "./large.module.css";
+import * as messages from "./messages";
 import { Now } from "./pointer/Now";
 import type { LocusFile } from "./save/save";
 import { large, toggleLarge, useLarge } from "./view/large";
@@ -36,19 +37,19 @@ const save = (kind: LocusFile) => () => {
   void import("./save/save").then(({ saveLocus }) => saveLocus(kind, style.peek()));
 };
 const SAVES: readonly MenuItem[] = [
-  { label: "Picture with axes (PNG)", onSelect: save("png") },
-  { label: "Drawing with axes (SVG)", onSelect: save("svg") },
-  { label: "Table (CSV)", onSelect: save("csv") },
-  { label: "Array for NumPy (.npy)", onSelect: save("npy") },
+  { label: messages.pictureWithAxesPng, onSelect: save("png") },
+  { label: messages.drawingWithAxesSvg, onSelect: save("svg") },
+  { label: messages.tableCsv, onSelect: save("csv") },
+  { label: messages.arrayForNumpyNpy, onSelect: save("npy") },
 ];
-const SAVE_PATH: MenuItem = { label: "The path alone (SVG)", onSelect: save("path") };
+const SAVE_PATH: MenuItem = { label: messages.pathAloneSvg, onSelect: save("path") };
 
 /** The map alone, to be watched while a shape is changed. */
 export function LocusBeside() {
   return (
     <section class={`locus ${fieldCss["beside"]}`} aria-labelledby="beside-title">
       <h2 id="beside-title" class={fieldCss["beside-title"]}>
-        Where the morph holds together
+        {messages.whereMorphStaysIn}
       </h2>
       <Plot />
     </section>
@@ -66,13 +67,13 @@ export function LocusPanel() {
         <span class={fieldCss["acts"]}>
           <IconButton
             icon="enlarge"
-            label="Large map"
+            label={messages.enlargeLocus}
             command="map-large"
             pressed={large.value}
             onClick={toggleLarge}
           />
           <Menu
-            label="Save the map"
+            label={messages.saveLocus}
             icon="save"
             items={family.value === "morph" ? [...SAVES, SAVE_PATH] : SAVES}
           />

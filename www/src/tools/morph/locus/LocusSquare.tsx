@@ -8,6 +8,7 @@ import { FamilyLines, ToBoundary } from "../later";
 import { pathKind } from "../parts";
 import fieldCss from "./field.module.css";
 import { End, PathLines, PickedMark } from "./marks";
+import * as messages from "./messages";
 import { PATH } from "./path/handles";
 import { WorstMark } from "./path/WorstMark";
 import { place, way } from "./path/way";
@@ -20,10 +21,8 @@ import { family, shownWindow, view } from "./view/view";
 import { ZoomButtons } from "./view/ZoomButtons";
 
 const LABELS = {
-  morph:
-    "Map of u, to the right, and v, upwards: light where the shape holds together, dark where it is broken.",
-  polygon:
-    "Map of s, real part to the right, imaginary part upwards: light where the shape holds together, dark where it is broken.",
+  morph: messages.locusOverUTo,
+  polygon: messages.locusOverSReal,
 };
 
 /** The field with what lies on it. */
@@ -55,7 +54,7 @@ export function LocusSquare({ style }: { style: LocusStyle }) {
       <ToBoundary />
       {wheelHint.value && (
         <p class={fieldCss["wheel-hint"]} aria-hidden="true">
-          Click the map, or hold Ctrl, to zoom with the wheel
+          {messages.clickLocusOrHold}
         </p>
       )}
       {problem !== null && <p class="locus-problem">{problem}</p>}

@@ -11,26 +11,24 @@ import { askForNew } from "../dialogs";
 import { shapes } from "../parts";
 import { rename } from "./changes";
 import css from "./maps.module.css";
+import * as messages from "./messages";
 
 /** The shapes that a person keeps, at hand while one is edited: to go on with another, or with a copy. */
 export function AtHand({ target }: { target: End }) {
   const kept = ownShapes.value.length;
   return (
-    <Fold title="Your shapes" now={kept === 0 ? "none yet" : `${kept}`}>
+    <Fold title={messages.yourShapes} now={kept === 0 ? messages.noneYet : `${kept}`}>
       <div class="stack">
-        <p class="hint">
-          Keep a shape as it is and work on a copy, or take one that you kept. This browser keeps them; undo
-          brings back what was edited.
-        </p>
+        <p class="hint">{messages.saveShapeAndWork}</p>
         <div class={css["editor-foot"]}>
           <Button icon="check" onClick={() => keep(shapes[target].peek())}>
-            Keep
+            {messages.save}
           </Button>
-          <Button icon="copy" description="Keep it, and go on with a copy" onClick={() => duplicate(target)}>
-            Duplicate
+          <Button icon="copy" description={messages.saveAndContinueWith} onClick={() => duplicate(target)}>
+            {messages.duplicate}
           </Button>
           <Button icon="add" onClick={() => askForNew(target)}>
-            New
+            {messages.newLabel}
           </Button>
         </div>
         <OwnShapes small onChoose={(shape) => take(target, shape)} />
@@ -42,7 +40,7 @@ export function AtHand({ target }: { target: End }) {
 function keep(shape: Shape): boolean {
   const problem = keepShape(shape);
   if (problem !== null) notify({ kind: "info", text: problem });
-  else announce(`${shape.name} is kept.`);
+  else announce(messages.isKept(shape.name));
   return problem === null;
 }
 
@@ -51,11 +49,11 @@ function duplicate(target: End): void {
   if (!keep(shape)) return;
   const name = copyName(shape.name, new Set(ownShapes.peek().map((one) => one.name)));
   edit((before) => rename(before, target, name));
-  announce(`${shape.name} is kept, and ${name} is edited now.`);
+  announce(messages.keptAndEdited(shape.name, name));
 }
 
 function take(target: End, shape: Shape): void {
   edit((before) => choose(before, target, shape));
   selection.value = { target, map: 0 };
-  announce(`${shape.name} is edited now.`);
+  announce(messages.nowEdited(shape.name));
 }

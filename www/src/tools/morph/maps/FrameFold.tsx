@@ -9,6 +9,7 @@ import { Segmented } from "#ui/controls/Segmented";
 import { Fold } from "#ui/panel/Fold";
 import type { End } from "../changes";
 import css from "./maps.module.css";
+import * as messages from "./messages";
 
 const same = (p: Box, q: Box) => p.x0 === q.x0 && p.y0 === q.y0 && p.x1 === q.x1 && p.y1 === q.y1;
 
@@ -17,9 +18,9 @@ export function FrameFold({ target }: { target: End }) {
   const frame = editFrame.value;
   if (!frame) return null;
   const { box, follows } = frame;
-  const words = follows ? "follows the shape" : same(box, UNIT) ? "unit square" : "stays";
+  const words = follows ? messages.followsShape : same(box, UNIT) ? messages.unitSquare : messages.fixedNow;
   return (
-    <Fold title="Frame of the outlines" now={words}>
+    <Fold title={messages.frameOutlines} now={words}>
       <FrameFields target={target} box={box} follows={follows} />
     </Fold>
   );
@@ -42,45 +43,42 @@ function FrameFields({ target, box, follows }: { target: End; box: Box; follows:
   const height = box.y1 - box.y0;
   return (
     <div class="stack">
-      <p class="hint">
-        Each outline is what a map makes of the dashed frame, which changes no map.
-        {follows ? "" : " Drag two of its corners on the picture, or type."}
-      </p>
+      <p class="hint">{follows ? messages.outlineIs : messages.outlineIsDrag}</p>
       <Segmented
-        label="The frame"
+        label={messages.frame}
         value={follows ? "follows" : "stays"}
         onChange={(next) => setFrame(maps(), box, { follows: next === "follows" })}
         options={[
-          { value: "stays", label: "Stays" },
-          { value: "follows", label: "Follows the shape" },
+          { value: "stays", label: messages.fixed },
+          { value: "follows", label: messages.followsShape2 },
         ]}
       />
       {!follows && (
         <>
           <div class={css["map-fields"]}>
             <NumberField
-              label="Left"
+              label={messages.left}
               value={box.x0}
               min={-FARTHEST}
               max={FARTHEST}
               onChange={(x0) => put({ ...box, x0, x1: x0 + width })}
             />
             <NumberField
-              label="Bottom"
+              label={messages.bottom}
               value={box.y0}
               min={-FARTHEST}
               max={FARTHEST}
               onChange={(y0) => put({ ...box, y0, y1: y0 + height })}
             />
             <NumberField
-              label="Width"
+              label={messages.width}
               value={width}
               min={SMALLEST}
               max={FARTHEST}
               onChange={(next) => put({ ...box, x1: box.x0 + next })}
             />
             <NumberField
-              label="Height"
+              label={messages.height}
               value={height}
               min={SMALLEST}
               max={FARTHEST}
@@ -89,9 +87,9 @@ function FrameFields({ target, box, follows }: { target: End; box: Box; follows:
           </div>
           <div class={css["editor-foot"]}>
             <Button disabled={same(box, UNIT)} onClick={() => put(UNIT)}>
-              Unit square
+              {messages.unitSquare2}
             </Button>
-            <Button onClick={() => put(frameAround(maps()))}>Around the shape</Button>
+            <Button onClick={() => put(frameAround(maps()))}>{messages.aroundShape}</Button>
           </div>
         </>
       )}

@@ -26,6 +26,7 @@ import { rename, setMaps } from "./changes";
 import { FrameFold } from "./FrameFold";
 import { NumberFields, PartFields } from "./MapFields";
 import css from "./maps.module.css";
+import * as messages from "./messages";
 import { removeChosen } from "./remove";
 import { Weights } from "./Weights";
 import { WholeShape } from "./WholeShape";
@@ -72,30 +73,30 @@ export function MapEditor({ target, chosen, whole }: MapEditorProps) {
     };
   }, []);
   return (
-    <section class={css["editor"]} aria-label={`Maps of shape ${nameOf(target)}`}>
+    <section class={css["editor"]} aria-label={messages.mapsOfShape(nameOf(target))}>
       <header class="section-head">
         <h2 tabIndex={-1} ref={heading}>
-          Maps of {nameOf(target)}
+          {messages.mapsOf(nameOf(target))}
         </h2>
         <Button kind="primary" icon="check" onClick={endEditing}>
-          Done
+          {messages.done}
         </Button>
       </header>
       <NameInput
-        label={`Name of shape ${nameOf(target)}`}
+        label={messages.nameOfShape(nameOf(target))}
         name={shapes[target].value.name}
         longest={LONGEST_NAME}
         onName={(name) => {
           edit((before) => rename(before, target, name));
-          announce(`Shape ${nameOf(target)} is now called ${name}.`);
+          announce(messages.shapeRenamed(nameOf(target), name));
         }}
       />
       <Segmented
-        label="What is edited"
+        label={messages.edit}
         value={whole ? "whole" : "maps"}
         options={[
-          { value: "maps", label: "Map by map" },
-          { value: "whole", label: "The whole shape" },
+          { value: "maps", label: messages.mapByMap },
+          { value: "whole", label: messages.wholeShape },
         ]}
         command="whole"
         onChange={(next) => {
@@ -131,7 +132,7 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
   /** The same for a button, whose refusal is told beside it. */
   const press = (next: MapRow[], then: number | null, said: string, from: "map" | "list" = "map") => {
     const refusal = offer(next);
-    if (refusal !== undefined) return setProblem({ words: `${refusal} The maps stay as they were.`, from });
+    if (refusal !== undefined) return setProblem({ words: messages.mapsUnchanged(refusal), from });
     pick(then);
     announce(said);
   };
@@ -144,7 +145,7 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
   /** Where maps are put. */
   const frame = () => editFrame.peek()?.box ?? UNIT;
   const mirror = (index: number, map: MapRow) =>
-    press(maps.with(index, reflect(map, middle(maps)[0])), index, `Map ${index + 1} is mirrored.`);
+    press(maps.with(index, reflect(map, middle(maps)[0])), index, messages.mapMirrored(index + 1));
 
   const fields = (index: number) => {
     const map = maps[index];
@@ -167,7 +168,7 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
           >
             <IconButton
               icon="reflect"
-              label="Mirror this map"
+              label={messages.mirrorThisMap}
               kind="quiet"
               onClick={() => mirror(index, map)}
             />
@@ -180,16 +181,14 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
 
   return (
     <>
-      <p class="hint">
-        Drag the outlines on the picture, or type numbers or formulas: 1/3, √3/2, (1 + sqrt 5)/2, cos 30°.
-      </p>
+      <p class="hint">{messages.dragOutlinesOnPicture}</p>
       <Segmented
-        label="How a map is told"
+        label={messages.mapFormat}
         value={form}
         onChange={setForm}
         options={[
-          { value: "parts", label: "Turn, stretch, move" },
-          { value: "numbers", label: "Six numbers" },
+          { value: "parts", label: messages.turnStretchMove },
+          { value: "numbers", label: messages.sixNumbers },
         ]}
       />
       <Switch
@@ -198,11 +197,9 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
           snapping.value = on;
         }}
       >
-        Snap to corners, edges and angles (Alt: the other way)
+        {messages.snapToCornersEdges}
       </Switch>
-      {maps.length === 1 && (
-        <p class="hint">The shape of one map is a single point. Add a map, and there is more to see.</p>
-      )}
+      {maps.length === 1 && <p class="hint">{messages.shapeSingleMapPoint}</p>}
       <MapList
         numbered
         maps={maps.map(mapWords)}
@@ -221,16 +218,16 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
           icon="add"
           disabled={maps.length >= MOST_MAPS}
           onClick={() =>
-            press([...maps, oneMore(maps, frame())], maps.length, `Map ${maps.length + 1} is new.`, "list")
+            press([...maps, oneMore(maps, frame())], maps.length, messages.mapNew(maps.length + 1), "list")
           }
         >
-          Add a map
+          {messages.addMap}
         </Button>
         <Button
           kind="quiet"
           icon="reset"
           disabled={origin === undefined || (shape.preset !== undefined && !shape.weights)}
-          description={origin === undefined ? "This shape is not from the gallery" : `Back to ${origin.name}`}
+          description={origin === undefined ? messages.thisShapeNotFrom : messages.backToOrigin(origin.name)}
           onClick={() => {
             if (origin === undefined) return;
             setProblem(null);
@@ -239,10 +236,10 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
               [target]: { preset: origin.id, name: origin.name, maps: origin.maps },
             }));
             pick(0);
-            announce(`Back to ${origin.name}.`);
+            announce(messages.backToOriginDone(origin.name));
           }}
         >
-          Reset
+          {messages.reset}
         </Button>
       </div>
       <div>

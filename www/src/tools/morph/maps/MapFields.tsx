@@ -5,6 +5,7 @@ import { useProblems } from "#ui/controls/problems";
 import equationsCss from "#ui/shapes/equations.module.css";
 import type { MapRow } from "#wasm/api";
 import mapsCss from "./maps.module.css";
+import * as messages from "./messages";
 
 interface MapFieldsProps {
   map: MapRow;
@@ -16,12 +17,12 @@ interface MapFieldsProps {
 }
 
 const PARTS: readonly { key: keyof Parts; label: string; step: number; digits: number; unit?: string }[] = [
-  { key: "turn", label: "Turn", step: 1, digits: 2, unit: "°" },
-  { key: "slant", label: "Slant", step: 0.01, digits: 4 },
-  { key: "stretchX", label: "Stretch across", step: 0.01, digits: 4, unit: "×" },
-  { key: "stretchY", label: "Stretch up", step: 0.01, digits: 4, unit: "×" },
-  { key: "moveX", label: "Move across", step: 0.01, digits: 4 },
-  { key: "moveY", label: "Move up", step: 0.01, digits: 4 },
+  { key: "turn", label: messages.turn, step: 1, digits: 2, unit: "°" },
+  { key: "slant", label: messages.slant, step: 0.01, digits: 4 },
+  { key: "stretchX", label: messages.stretchAcross, step: 0.01, digits: 4, unit: "×" },
+  { key: "stretchY", label: messages.stretchUp, step: 0.01, digits: 4, unit: "×" },
+  { key: "moveX", label: messages.moveAcross, step: 0.01, digits: 4 },
+  { key: "moveY", label: messages.moveUp, step: 0.01, digits: 4 },
 ];
 
 /** Turn, stretch and move: how a hand would say it. A negative stretch mirrors. */
@@ -58,17 +59,17 @@ const ROWS = [
   {
     axis: "x′",
     cells: [
-      [0, "a", "New x from x"],
-      [1, "b", "New x from y"],
-      [4, "e", "Move across"],
+      [0, "a", messages.newXFromX],
+      [1, "b", messages.newXFromY],
+      [4, "e", messages.moveAcross],
     ],
   },
   {
     axis: "y′",
     cells: [
-      [2, "c", "New y from x"],
-      [3, "d", "New y from y"],
-      [5, "f", "Move up"],
+      [2, "c", messages.newYFromX],
+      [3, "d", messages.newYFromY],
+      [5, "f", messages.moveUp],
     ],
   },
 ] as const;

@@ -10,6 +10,7 @@ import { type End, nameOf } from "../changes";
 import { colouring, shapes } from "../parts";
 import { Swatch } from "../shapes/Swatch";
 import { setWeights } from "./changes";
+import * as messages from "./messages";
 import css from "./weights.module.css";
 
 const MOST = 1e6;
@@ -18,7 +19,7 @@ const MOST = 1e6;
 export function Weights({ target }: { target: End }) {
   const { weights } = shapes[target].value;
   return (
-    <Fold title="Weights" now={weights ? "your own" : "by area"}>
+    <Fold title={messages.weights} now={weights ? messages.custom : messages.byArea}>
       <WeightFields target={target} />
     </Fold>
   );
@@ -37,17 +38,14 @@ function WeightFields({ target }: { target: End }) {
   };
   const change = (index: number, weight: number) => {
     const next = shown.with(index, weight);
-    if (next.every((one) => one === 0)) return "One map at least has to be taken now and then.";
+    if (next.every((one) => one === 0)) return messages.atLeastOneMap;
     set(next);
     return undefined;
   };
   return (
     <div class="stack">
       <p class="hint">
-        How often the chaos game takes each map, as shares of all. They change how dense the points lie, and
-        nothing else: the shape, whether it is in one piece, and the numbers of its maps stay the same. A map
-        of weight 0 is never taken: the density leaves its copies out.{" "}
-        <a href="#learn/e15">A lesson about them</a>
+        {messages.howOftenChaosGame} <a href="#learn/e15">{messages.lessonOnWeights}</a>
       </p>
       <ol class={css["weights"]}>
         {shown.map((weight, index) => (
@@ -56,7 +54,7 @@ function WeightFields({ target }: { target: End }) {
             <Swatch map={index} colour={ranks[target].value[index]} />
             <NumberField
               terse
-              label={`Weight of map ${index + 1}`}
+              label={messages.weightOf(index + 1)}
               value={weight}
               min={0}
               max={MOST}
@@ -77,33 +75,33 @@ function WeightFields({ target }: { target: End }) {
           onClick={() =>
             set(
               maps.map(() => 1),
-              "All maps have the same weight.",
+              messages.allMapsHaveSame,
             )
           }
         >
-          All alike
+          {messages.equal}
         </Button>
         <Button
           kind="quiet"
           icon="reset"
           disabled={weights === undefined}
-          description="Each in proportion to the area of its copy: points fall evenly"
-          onClick={() => set(undefined, `The weights of ${nameOf(target)} go by area again.`)}
+          description={messages.eachWeightProportionalTo}
+          onClick={() => set(undefined, messages.weightsByArea(nameOf(target)))}
         >
-          By area
+          {messages.byArea2}
         </Button>
       </div>
       {colouring.value !== "density" && (
         <div class="row">
-          <p class="hint">Weights are seen where the colour tells the density.</p>
+          <p class="hint">{messages.weightsOnlyShowWhen}</p>
           <Button
             kind="quiet"
             onClick={() => {
               edit((before) => ({ ...before, colouring: "density" }));
-              announce(`The colour of ${scene.peek()[target].name} tells the density.`);
+              announce(messages.nowDensity(scene.peek()[target].name));
             }}
           >
-            Show the density
+            {messages.colourByDensity}
           </Button>
         </div>
       )}

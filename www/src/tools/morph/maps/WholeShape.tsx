@@ -12,6 +12,7 @@ import { ParameterTable } from "#ui/hand/ParameterTable";
 import type { MapRow, Shape } from "#wasm/api";
 import type { End } from "../changes";
 import { NumberFields } from "./MapFields";
+import * as messages from "./messages";
 
 const end = computed<End>(() => selection.value?.target ?? "a");
 const shape = computed<Shape>(() => scene.value[end.value]);
@@ -43,11 +44,7 @@ export function WholeShape({ target }: { target: End }) {
   const { made, moved } = taken.value;
   return (
     <>
-      <p class="hint">
-        Drag the shape on the picture, or type: no point is moved, its parameters are. It stays in one piece,
-        or in pieces, even where numbers that are not round let less be proved. The way to the other shape
-        changes.
-      </p>
+      <p class="hint">{messages.dragShapeOnPicture}</p>
       <HandPanel
         of={hand}
         as="taken"
@@ -56,7 +53,7 @@ export function WholeShape({ target }: { target: End }) {
             key={target}
             moved={moved}
             fields={(map, onChange) => <NumberFields map={map} onChange={onChange} onDone={() => {}} />}
-            sizes="Areas"
+            sizes={messages.areas}
             determinant={determinant}
             name="shape"
             place={(put) => placeShape(target, put)}

@@ -2,6 +2,7 @@ import { selection } from "#document/morph";
 import { notify } from "#document/notice";
 import { edit, scene, undo } from "#document/scene";
 import { setMaps } from "./changes";
+import * as messages from "./messages";
 
 /** Takes away the map that is chosen; none is chosen then, so that the same key takes away no other. */
 export function removeChosen(): void {
@@ -10,7 +11,7 @@ export function removeChosen(): void {
   const { target, map } = editing;
   const { maps } = scene.peek()[target];
   if (maps.length < 2) {
-    notify({ kind: "info", text: "This is the only map, and a shape has at least one." });
+    notify({ kind: "info", text: messages.thisOnlyMapShape });
     return;
   }
   edit((before) =>
@@ -21,5 +22,5 @@ export function removeChosen(): void {
     ),
   );
   selection.value = { target, map: null };
-  notify({ kind: "info", text: `Map ${map + 1} is removed.`, action: { label: "Undo", run: undo } });
+  notify({ kind: "info", text: messages.mapRemoved(map + 1), action: { label: messages.undo, run: undo } });
 }

@@ -7,6 +7,7 @@ import { useGrip } from "#stage/grip";
 import { stageStyle } from "#stage/picture-style";
 import { stageSize } from "#stage/view";
 import { Cell, OrbitPath } from "#ui/orbit/OrbitPath";
+import * as messages from "./messages";
 import css from "./orbit-overlay.module.css";
 import {
   cell,
@@ -46,7 +47,7 @@ export function OrbitOverlay() {
       </svg>
       {!playing.value && (
         <svg class="overlay" {...size}>
-          <title>The point that is followed</title>
+          <title>{messages.followedPoint}</title>
           <Chosen />
         </svg>
       )}
@@ -121,7 +122,7 @@ function Chosen() {
       data-handle=""
       role="button"
       tabindex={0}
-      aria-label="The chosen point: arrow keys move it, with Shift finer"
+      aria-label={messages.selectedPointArrowKeys}
       transform={`translate(${x.toFixed(1)} ${y.toFixed(1)})`}
       ref={ref}
     >

@@ -11,6 +11,7 @@ import { orbitKey } from "#ui/orbit/keys";
 import { OrbitControls } from "#ui/orbit/OrbitControls";
 import { TargetControls } from "#ui/orbit/TargetControls";
 import { toggleOrbit } from "../dialogs";
+import * as messages from "./messages";
 import css from "./orbit-overlay.module.css";
 import {
   deepest,
@@ -56,13 +57,13 @@ export function OrbitPanel() {
     if (gameProblem.value) playing.value = false;
   });
   return (
-    <section class={css["orbit-panel"]} aria-label="Follow a point">
+    <section class={css["orbit-panel"]} aria-label={messages.followPoint}>
       <header class="section-head">
         <h2 tabIndex={-1} ref={heading}>
-          Follow a point
+          {messages.followPoint}
         </h2>
         <Button kind="primary" icon="check" onClick={toggleOrbit}>
-          Done
+          {messages.done}
         </Button>
       </header>
       {hindrance.value ? <p class="problem">{hindrance.value}</p> : <Followed />}
@@ -78,19 +79,19 @@ function Followed() {
   return (
     <>
       <Segmented
-        label="What is done with the point"
+        label={messages.whatToDoWith}
         value={way}
         options={[
-          { value: "apply", label: "Apply maps", description: "Each map takes the point to another place" },
+          { value: "apply", label: messages.applyMaps, description: messages.eachMapTakesPoint },
           {
             value: "read",
-            label: "Address",
-            description: "Read the address: in which piece is the point, and in which piece of that?",
+            label: messages.address,
+            description: messages.readAddressPieceContains,
           },
           {
             value: "game",
-            label: "Reach a cell",
-            description: "A game: choose the throws that lead into the framed cell",
+            label: messages.reachCell,
+            description: messages.gameChooseThrowsLead,
             disabled: problem !== null,
           },
         ]}
@@ -103,8 +104,7 @@ function Followed() {
       {playing.value ? (
         <>
           <p class="hint">
-            Reach the framed cell in as few throws as you can. Press a number, its key, or a piece in the
-            picture. <a href="#learn/e31">The lesson on it</a>
+            {messages.reachFramedCellIn} <a href="#learn/e31">{messages.lessonOnThisGame}</a>
           </p>
           <TargetControls
             game={game.value}
@@ -122,8 +122,7 @@ function Followed() {
       ) : (
         <>
           <p class="hint">
-            Press the picture to choose a point, or drag the ring.{" "}
-            <a href="#learn/e16">What is an address?</a>
+            {messages.clickPictureToChoose} <a href="#learn/e16">{messages.whatAddress}</a>
           </p>
           <OrbitControls
             orbit={orbit.value}

@@ -22,6 +22,7 @@ import { effectiveView, stageSize } from "#stage/view";
 import { choose, factsOf, follow, type Orbit, turnTo } from "#ui/orbit/follow";
 import { type Asked, gameOf } from "#ui/orbit/game";
 import { type Game, MOST_THROWS, orbitWords } from "#ui/orbit/words";
+import * as messages from "./messages";
 
 /** As near as a finger comes, in CSS pixels. */
 const REACH = 16;
@@ -30,10 +31,8 @@ const box: ReadonlySignal<Box | null> = computed(() => boxOf(mainMaps.value));
 
 /** Why no point can be followed, in words; null where one can. */
 export const hindrance: ReadonlySignal<string | null> = computed(() => {
-  if (bend.value)
-    return "The shape is bent, so its points are not where the maps take them. Turn off the bend in Deform to follow a point.";
-  if (!box.value)
-    return "These maps have no attractor: together they do not contract. Change the maps first.";
+  if (bend.value) return messages.shapeDeformedSoPoints;
+  if (!box.value) return messages.theseMapsHaveNo;
   return null;
 });
 

@@ -16,6 +16,7 @@ import { matchingOpen } from "../dialogs";
 import { place } from "../locus/path/way";
 import { correspondence, turns } from "../parts";
 import { isMatched, takeMatching } from "../ways";
+import * as messages from "./messages";
 import css from "./pairs.module.css";
 
 /** Other ways to match the maps, each with its own map of where it holds. */
@@ -32,9 +33,9 @@ export function Matching() {
         if (open && matchings.peek() === null) lookForMatchings();
       }}
     >
-      <summary>Other ways to match</summary>
+      <summary>{messages.otherPairings}</summary>
       {found === null ? (
-        <Button onClick={lookForMatchings}>Look for them again</Button>
+        <Button onClick={lookForMatchings}>{messages.searchAgain}</Button>
       ) : (
         <>
           <Progress />
@@ -50,18 +51,17 @@ function Progress() {
   if (found === null) return null;
   const { of, done, problem } = found;
   if (problem !== null) return <p class="hint">{problem}</p>;
-  if (of === 0) return <p class="hint">There is no other way that makes sense to try.</p>;
-  if (of !== null && done >= of)
-    return <p class="hint">The best first: those that hold all the way, then the narrowest gap.</p>;
+  if (of === 0) return <p class="hint">{messages.thereNoOtherSensible}</p>;
+  if (of !== null && done >= of) return <p class="hint">{messages.bestFirstPairingsWithout}</p>;
   return (
     <div class={css["pairs-progress"]}>
       <progress
-        aria-label="Other ways to match, being tried"
+        aria-label={messages.tryingOtherPairings}
         {...(of === null ? {} : { max: of, value: done })}
       />
-      <span class="hint">{of === null ? "Looking …" : `${done} of ${of}`}</span>
+      <span class="hint">{of === null ? messages.searching : messages.doneOf(done, of)}</span>
       <Button kind="quiet" onClick={stopMatching}>
-        Cancel
+        {messages.cancel}
       </Button>
     </div>
   );
@@ -73,7 +73,7 @@ function Cards({ rated }: { rated: readonly RatedCandidate[] }) {
   const name = useOwnId("matching");
   const now = { correspondence: correspondence.value, turns: turns.value };
   return (
-    <div class={css["matching-cards"]} role="radiogroup" aria-label="Ways to match">
+    <div class={css["matching-cards"]} role="radiogroup" aria-label={messages.pairings}>
       {rated.map((candidate) => (
         <Card key={keyOf(candidate)} name={name} candidate={candidate} chosen={isMatched(now, candidate)} />
       ))}

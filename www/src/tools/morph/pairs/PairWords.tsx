@@ -1,6 +1,6 @@
-import { listWords } from "#format/path-words";
 import { Button } from "#ui/controls/Button";
 import { openRoutes } from "../dialogs";
+import * as messages from "./messages";
 import css from "./pairs.module.css";
 
 interface PairWordsProps {
@@ -19,15 +19,9 @@ export function PairWords({ steps, flat }: PairWordsProps) {
       ))}
       {flat.length > 0 && (
         <>
-          <p>
-            {flat.length === 1 ? "Map" : "Maps"} {listWords(flat.map(String))}{" "}
-            {flat.length === 1
-              ? "is a mirror image at one end, so it"
-              : "are mirror images at one end, so each"}{" "}
-            turns over on the way, and is as flat as a line for a moment.
-          </p>
+          <p>{messages.mirroredMaps(flat)}</p>
           <Button kind="quiet" onClick={openRoutes}>
-            Other ways across
+            {messages.otherPaths}
           </Button>
         </>
       )}

@@ -5,6 +5,7 @@ import { Select } from "#ui/controls/Select";
 import { correspondence, turns } from "../parts";
 import { Swatch } from "../shapes/Swatch";
 import { Matching } from "./Matching";
+import * as messages from "./messages";
 import css from "./pairs.module.css";
 import { Routes } from "./Routes";
 
@@ -35,7 +36,7 @@ function Pairs() {
     edit((before) => ({ ...before, correspondence: next.every((x, i) => x === i) ? [] : next }));
   };
   const turn = (map: number, by: number) => {
-    if (!Number.isInteger(by)) return "Whole turns only.";
+    if (!Number.isInteger(by)) return messages.enterWholeNumberTurns;
     const next = extra.map((x, i) => (i === map ? by : x));
     edit((before) => ({ ...before, turns: next.every((x) => x === 0) ? [] : next }), {
       gesture: `turns-${map}`,
@@ -45,15 +46,14 @@ function Pairs() {
 
   return (
     <>
-      <p class="hint">
-        Each choice has its own square above: another pairing may hold together where this one breaks.
-      </p>
+      <p class="hint">{messages.eachPairingHasOwn}</p>
       <ul class={css["pairs-list"]}>
         {from.map((_, map) => (
           <li key={map}>
             <Swatch map={map} />
             <label>
-              <span class="unseen">Map {map + 1} </span>becomes{" "}
+              <span class="unseen">{messages.mapNumber(map + 1)} </span>
+              {messages.becomes}{" "}
               <Select
                 value={String(becomes[map] ?? map)}
                 onChange={(event) => match(map, Number(event.currentTarget.value))}
@@ -66,7 +66,7 @@ function Pairs() {
               </Select>
             </label>
             <NumberField
-              label="extra turns"
+              label={messages.extraTurns}
               value={extra[map] ?? 0}
               step={1}
               min={-8}

@@ -6,6 +6,7 @@ import { flatPairs, turnedFurther } from "../changes";
 import { pairsOpen } from "../dialogs";
 import { Pairs, PairWords } from "../later";
 import { correspondence } from "../parts";
+import * as messages from "./messages";
 import css from "./pairs.module.css";
 
 /** What had to be done so that each map has one to become, and what that costs; most pairs have nothing of it. */
@@ -31,7 +32,7 @@ export function PairsPanel() {
           pairsOpen.value = event.currentTarget.open;
         }}
       >
-        <summary>Which map becomes which</summary>
+        <summary>{messages.mapBecomes}</summary>
         {pairsOpen.value && <Pairs />}
       </details>
     </>

@@ -9,18 +9,19 @@ import type { Route, RouteKind } from "#wasm/api";
 import { routesOpen } from "../dialogs";
 import { correspondence, shapes, turns } from "../parts";
 import { isMatched, takeRoute } from "../ways";
+import * as messages from "./messages";
 import css from "./pairs.module.css";
 
 const NAMES: Record<RouteKind, string> = {
-  plain: "As they are",
-  collapse: "Through a flat state",
-  correspondence: "Other partners",
-  symmetry: "Through a symmetry",
-  mirror: "Through the mirror image",
-  refine: "With smaller copies",
-  double: "With a copy twice",
-  joints: "Joint by joint",
-  place: "With shape B laid elsewhere",
+  plain: messages.asThey,
+  collapse: messages.throughFlatState,
+  correspondence: messages.anotherPairing,
+  symmetry: messages.throughSymmetry,
+  mirror: messages.throughMirrorImage,
+  refine: messages.withSmallerCopies,
+  double: messages.withCopyUsedTwice,
+  joints: messages.jointByJoint,
+  place: messages.withShapeBMoved,
 };
 
 /** Ways to bring the two shapes to a morph, each in a sentence. */
@@ -37,12 +38,12 @@ export function Routes() {
         if (open && routes.peek() === null) lookForRoutes();
       }}
     >
-      <summary>Ways across</summary>
-      {found === null && <Button onClick={lookForRoutes}>Look for them again</Button>}
-      {found?.list === null && <p class="hint">Looking …</p>}
+      <summary>{messages.otherPaths}</summary>
+      {found === null && <Button onClick={lookForRoutes}>{messages.searchAgain}</Button>}
+      {found?.list === null && <p class="hint">{messages.searching}</p>}
       {found?.problem != null && <p class="hint">{found.problem}</p>}
       {found?.problem == null && found?.list?.length === 0 && (
-        <p class="hint">There is only the way that is taken now.</p>
+        <p class="hint">{messages.frondKnowsNoOther}</p>
       )}
       {found?.list && found.list.length > 0 && <List list={found.list} />}
     </details>
@@ -57,7 +58,7 @@ function List({ list }: { list: readonly Route[] }) {
     (route) => sameMaps(route.from, a.maps) && sameMaps(route.to, b.maps) && isMatched(now, route),
   );
   return (
-    <div class={css["routes"]} role="radiogroup" aria-label="Ways across">
+    <div class={css["routes"]} role="radiogroup" aria-label={messages.paths}>
       {list.map((route, i) => (
         <label key={`${i} ${route.kind}`} class={css["route"]}>
           <input
@@ -70,7 +71,7 @@ function List({ list }: { list: readonly Route[] }) {
             }}
           />
           <span>
-            <span class={css["route-name"]}>{NAMES[route.kind] ?? "Another way"}</span> {route.about}
+            <span class={css["route-name"]}>{NAMES[route.kind] ?? messages.anotherPath}</span> {route.about}
           </span>
         </label>
       ))}

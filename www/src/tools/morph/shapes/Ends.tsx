@@ -14,16 +14,17 @@ import { askForNew, editMaps, endEditing, gallery, PENCILS, takeWhole } from "..
 import { keepingPath } from "../locus/path/automatic";
 import { shapes } from "../parts";
 import { changedWord } from "./matched";
+import * as messages from "./messages";
 
 /** The two ends of the morph, with the arrow that swaps them. */
 export function Ends() {
   return (
-    <section class={endsCss["ends"]} aria-label="The two shapes">
+    <section class={endsCss["ends"]} aria-label={messages.twoShapes}>
       <Card end="a" />
       <SwapEnds
         onSwap={() => {
           keepingPath(() => edit(swap));
-          announce(`Swapped: from ${scene.peek().a.name} to ${scene.peek().b.name}.`);
+          announce(messages.swapped(scene.peek().a.name, scene.peek().b.name));
         }}
       />
       <Card end="b" />
@@ -56,54 +57,54 @@ function Card({ end }: { end: End }) {
       <IconButton
         kind="quiet"
         icon="edit"
-        label={`Edit the maps of ${nameOf(end)}`}
+        label={messages.editMapsOf(nameOf(end))}
         pressed={editing}
         buttonRef={PENCILS[end]}
         onClick={() => (editing ? endEditing() : editMaps(end))}
       />
       <Menu
-        label={`More for shape ${nameOf(end)}`}
+        label={messages.moreFor(nameOf(end))}
         items={[
           {
-            label: "Choose another …",
+            label: messages.chooseAnother,
             icon: "grid",
             onSelect: () => {
               gallery.value = end;
             },
           },
           {
-            label: "New shape …",
+            label: messages.newShape,
             icon: "add",
             onSelect: () => askForNew(end),
           },
           {
-            label: "Turn, move or scale it",
+            label: messages.moveRotateOrScale,
             icon: "edit",
             onSelect: () => takeWhole(end),
           },
           {
-            label: "Maps as text …",
+            label: messages.mapsAsText,
             icon: "file",
             onSelect: startExport,
           },
           {
-            label: "Keep this shape",
+            label: messages.saveThisShape,
             icon: "check",
             onSelect: async () => {
               const { keepShape } = await import("#document/own-shapes");
               const problem = keepShape(shapes[end].peek());
               notify({
                 kind: "info",
-                text: problem ?? `${name} is kept: it is in the gallery, under Yours.`,
+                text: problem ?? messages.isKept(name),
               });
             },
           },
           {
-            label: `Use as ${nameOf(other(end))} too`,
+            label: messages.useAlso(nameOf(other(end))),
             icon: "copy",
             onSelect: () => {
               edit((before) => asBoth(before, end));
-              announce(`${name} is now at both ends.`);
+              announce(messages.atBothEnds(name));
             },
           },
         ]}

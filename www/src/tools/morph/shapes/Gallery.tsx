@@ -17,6 +17,7 @@ import { editMaps, gallery } from "../dialogs";
 import { pick } from "../locus/path/way";
 import { shapes } from "../parts";
 import { BLANK_FRAME, blankShape } from "./blank";
+import * as messages from "./messages";
 import { NewShape } from "./NewShape";
 import { bondWords, partnersOf } from "./partners";
 import { promise } from "./promised";
@@ -53,20 +54,18 @@ export function Gallery() {
     }
     if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
     pick(null);
-    announce(`Shape ${nameOf(end)} is now ${shape.name}.`);
+    announce(messages.shapeNow(nameOf(end), shape.name));
   };
   return (
     <PresetGallery
-      title={`Shape ${nameOf(end)}`}
+      title={messages.shape(nameOf(end))}
       about={
         outline === undefined
-          ? "Each is made of smaller copies of itself. Its maps can be edited afterwards."
-          : `Shape ${nameOf(other(end))} is ${outline}, an outline: outlines morph with outlines.`
+          ? messages.eachMadeSmallerCopies
+          : messages.otherIsOutline(nameOf(other(end)), outline)
       }
       apart={
-        outline === undefined
-          ? null
-          : `They do not morph with outlines: whoever chooses one puts ${outline} away, and ${nameOf(other(end))} is ${system.name} then.`
+        outline === undefined ? null : messages.replacesOutline(nameOf(other(end)), system.name, outline)
       }
       end={end}
       now={shapes[end].value}
@@ -81,7 +80,7 @@ export function Gallery() {
         chooseDirected(end, shape);
         tellReplaced(before, end);
         pick(null);
-        announce(`Shape ${nameOf(end)} is now ${shape.name}.`);
+        announce(messages.shapeNow(nameOf(end), shape.name));
       }}
       onClose={close}
       first={

@@ -1,6 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { forNew } from "../dialogs";
 import { BLANK_COUNTS, type BlankCount, blankShape } from "./blank";
+import * as messages from "./messages";
 import css from "./new-shape.module.css";
 
 /** Begins a shape with one to four copies of a square, which its maker then drags. */
@@ -18,7 +19,7 @@ export function NewShape({ onChoose }: { onChoose: (count: BlankCount) => void }
   }, []);
   return (
     <section ref={section} class={css["new-shape"]} aria-labelledby="new-shape-title">
-      <h3 id="new-shape-title">New shape</h3>
+      <h3 id="new-shape-title">{messages.newShape2}</h3>
       <ul>
         {BLANK_COUNTS.map((count) => (
           <li key={count}>

@@ -1,6 +1,7 @@
 /** A shape to begin with: so many copies of the unit square, each half as large. */
 import { UNIT } from "#geometry/boxes";
 import type { MapRow, Shape } from "#wasm/api";
+import * as messages from "./messages";
 
 /** Where the lower left corners of the copies are. Three stand as the gasket's do. */
 const CORNERS: Record<1 | 2 | 3 | 4, readonly (readonly [number, number])[]> = {
@@ -29,5 +30,5 @@ export const BLANK_COUNTS: readonly BlankCount[] = [1, 2, 3, 4];
 export const BLANK_FRAME = UNIT;
 
 export function blankShape(count: BlankCount): Shape {
-  return { name: "New shape", maps: CORNERS[count].map(([x, y]): MapRow => [0.5, 0, 0, 0.5, x, y]) };
+  return { name: messages.newShape2, maps: CORNERS[count].map(([x, y]): MapRow => [0.5, 0, 0, 0.5, x, y]) };
 }

@@ -3,6 +3,8 @@
  * is a table of what eight seconds a pair have found. `cargo run --release -p frond-locus --example pairs -- all`
  * prints it; a test of that crate asks whether it is true.
  */
+
+import * as messages from "./messages";
 import table from "./partners.txt?raw";
 
 /** How they come together: as they are, or by another way, which is offered once it is found. */
@@ -25,6 +27,4 @@ export function partnersOf(id: string, rows: string = table): Map<string, Bond> 
 
 /** What is said of a shape that is chosen to come together with another. */
 export const bondWords = (bond: Bond, other: string): string =>
-  bond === "plain"
-    ? `Stays in one piece with ${other}`
-    : `Can stay in one piece with ${other}; Frond will look for the pairing`;
+  bond === "plain" ? messages.staysInOnePiece(other) : messages.canStayInOne(other);

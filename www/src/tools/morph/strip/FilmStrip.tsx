@@ -10,6 +10,7 @@ import { media } from "#style/media";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Verdict } from "#wasm/api";
 import { evenly } from "./evenly";
+import * as messages from "./messages";
 import { scrubTo } from "./scrub";
 import css from "./strip.module.css";
 
@@ -30,9 +31,9 @@ const here: ReadonlySignal<number> = computed(() => {
 
 /** What is written on a still that does not hold, also where that is not seen, and on one of which nobody knows. */
 const MARKS: Partial<Record<Verdict, string>> = {
-  disconnected: "in pieces",
-  "no-attractor": "no attractor",
-  undecided: "not decided",
+  disconnected: messages.inPieces,
+  "no-attractor": messages.noAttractor,
+  undecided: messages.notDecided,
 };
 
 /** Stills of the whole morph: press one to go there; those that are seen to be broken are hatched. */
@@ -52,13 +53,13 @@ export function FilmStrip() {
   };
 
   return (
-    <ol class="film" ref={list} onKeyDown={walk} aria-label="Film of the morph">
+    <ol class="film" ref={list} onKeyDown={walk} aria-label={messages.filmMorph}>
       {all.map((frame, index) => {
         // Of a way that only stands in until one is found nothing is said.
         const verdict = sought.value ? null : frame.verdict;
         const broken = verdict !== null && isBroken(stateOf(verdict));
         const mark = verdict ? MARKS[verdict.verdict] : undefined;
-        const known = frame.stale ? "picture in the making" : verdictPhrase(verdict);
+        const known = frame.stale ? messages.pictureLoading : verdictPhrase(verdict);
         const words = `${percent(frame.t)}: ${known}`;
         return (
           <li key={frame.t}>
@@ -67,7 +68,7 @@ export function FilmStrip() {
               class={`frame ${broken ? "broken" : ""} ${frame.stale ? "stale" : ""}`}
               tabIndex={index === nearest ? 0 : -1}
               aria-current={index === nearest ? "true" : undefined}
-              aria-label={`At ${words}`}
+              aria-label={messages.atMoment(words)}
               title={words}
               onClick={() => scrubTo(frame.t)}
             >

@@ -17,6 +17,7 @@ import { narrow } from "#ui/media";
 import { FamilyStrip } from "../later";
 import { stateNow } from "../locus/path/way";
 import { FilmStrip, frames } from "./FilmStrip";
+import * as messages from "./messages";
 import { scrubTo } from "./scrub";
 import css from "./strip.module.css";
 
@@ -24,7 +25,11 @@ import css from "./strip.module.css";
 export function MorphStrip() {
   if (locusView.value.family === "polygon" && !standIn.value) return <FamilyStrip />;
   return (
-    <section class="strip" aria-label="Time" style={{ "--frames": String(Math.max(1, frames.value.length)) }}>
+    <section
+      class="strip"
+      aria-label={messages.time}
+      style={{ "--frames": String(Math.max(1, frames.value.length)) }}
+    >
       <Play />
       <div class={`strip-film ${offPath.value ? css["off-path"] : ""}`}>
         <Scrub />
@@ -54,8 +59,8 @@ const faults = computed(() =>
 
 /** The moment in words, and what is known of it. */
 function timeWords(t: number): string {
-  if (offPath.value) return `${percent(t)}; the picture is off the path`;
-  if (sought.value) return `${percent(t)}; a way is being looked for`;
+  if (offPath.value) return messages.offPath(percent(t));
+  if (sought.value) return messages.searchingPath(percent(t));
   return `${percent(t)}, ${standIn.value ? standInWords.value : stateNow()}`;
 }
 
@@ -66,7 +71,7 @@ function Scrub() {
   return (
     <Slider
       class={`${css["scrub"]} ${sought.value ? css["open"] : ""}`}
-      label="Time"
+      label={messages.time}
       value={t}
       step={0.01}
       valueText={timeWords(t)}
@@ -83,14 +88,14 @@ function Scrub() {
       {off && (
         // On the half where the thumb is not.
         <span class={css["scrub-off"]} style={{ left: t < 0.5 ? "75%" : "25%" }}>
-          picture off the path
+          {messages.pictureOffPath}
         </span>
       )}
       {worst && (
         <span
           class={css["scrub-worst"]}
           style={{ left: `${100 * worst.t}%` }}
-          title={`Widest gap: ${shareWords(worst.gap)}, at ${percent(worst.t)}`}
+          title={messages.worstAt(shareWords(worst.gap), percent(worst.t))}
         />
       )}
     </Slider>
@@ -108,10 +113,15 @@ const SPEEDS = [
 export function PlaybackOptions() {
   return (
     <div class="playback">
-      <PercentField label="Time in percent" value={scene.value.t} onChange={scrubTo} onDone={endGesture} />
+      <PercentField
+        label={messages.timeInPercent}
+        value={scene.value.t}
+        onChange={scrubTo}
+        onDone={endGesture}
+      />
       <IconButton
         icon="loop"
-        label="Back and forth for ever"
+        label={messages.loopBackAndForth}
         kind="quiet"
         pressed={loop.value}
         onClick={() => {
@@ -119,7 +129,7 @@ export function PlaybackOptions() {
         }}
       />
       <Segmented
-        label="Speed"
+        label={messages.speed}
         value={SPEEDS.find((option) => Number(option.value) === speed.value)?.value ?? "1"}
         options={SPEEDS}
         onChange={(next) => {

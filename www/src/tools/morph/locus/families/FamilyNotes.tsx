@@ -5,6 +5,7 @@ import { powerWords } from "#format/verdict";
 import { Button } from "#ui/controls/Button";
 import { narrow } from "#ui/media";
 import fieldCss from "../field.module.css";
+import * as messages from "../messages";
 import { fly, pickPoint, sides } from "../view/view";
 import { Courses } from "./Courses";
 import { centre } from "./course";
@@ -21,7 +22,7 @@ export function FamilyNotes() {
     <div class="family-notes">
       <p class="hint">{familyWords(n)}</p>
       {narrow.value && <Courses />}
-      <ul class={fieldCss["landmarks"]} aria-label="Places to see">
+      <ul class={fieldCss["landmarks"]} aria-label={messages.landmarks}>
         {all.map(({ name, about, s, zoom, spiral }) => (
           <li key={name}>
             <Button
@@ -49,13 +50,13 @@ export function FamilyNotes() {
       <dl class="critical">
         <div>
           <dt>
-            On the real line it closes at <span class="symbol">r{lowered(n)}</span>
+            {messages.forRealSShape} <span class="symbol">r{lowered(n)}</span>
           </dt>
           <dd class="number">{criticalScale(n).toFixed(9)}</dd>
-          <dd class="hint">proved by others</dd>
+          <dd class="hint">{messages.known}</dd>
         </div>
         <div>
-          <dt>Frond’s own answer</dt>
+          <dt>{messages.computedHere}</dt>
           <Computed />
         </div>
       </dl>
@@ -71,11 +72,15 @@ export function FamilyNotes() {
 
 function Computed() {
   const found = critical.value;
-  if (found?.sides !== sides.value) return <dd class="hint">looking …</dd>;
+  if (found?.sides !== sides.value) return <dd class="hint">{messages.computing}</dd>;
   return (
     <>
       <dd class="number">{((found.broken + found.holds) / 2).toFixed(9)}</dd>
-      <dd class="hint">{found.done ? `to ${powerWords(found.holds - found.broken)}` : "closing in …"}</dd>
+      <dd class="hint">
+        {found.done
+          ? messages.plusMinus(powerWords((found.holds - found.broken) / 2))
+          : messages.stillComputing}
+      </dd>
     </>
   );
 }

@@ -7,6 +7,7 @@ import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
 import { PlayButton } from "#ui/strip/PlayButton";
 import css from "../field.module.css";
+import * as messages from "../messages";
 import { sides } from "../view/view";
 import { Courses } from "./Courses";
 import { courseOf, STEPS } from "./course";
@@ -14,19 +15,19 @@ import { orbitBreaks, orbiting, orbitTo, place, toggleOrbit } from "./orbit";
 
 const WORDS = {
   round: {
-    where: "on the circle about 0",
-    label: "Turn of s about 0",
-    value: (part: number) => `${Math.round(360 * part)} degrees`,
+    where: messages.onCircleAround,
+    label: messages.angleSAround0,
+    value: (part: number) => messages.degrees(Math.round(360 * part)),
   },
   ray: {
-    where: "on the ray from 0",
-    label: "Size of s",
+    where: messages.onRayFrom0,
+    label: messages.sizeS,
     value: (part: number) => `${Math.round(100 * part)}%`,
   },
   spiral: {
-    where: "on the spiral into a landmark",
-    label: "Steps of s into the landmark",
-    value: (part: number) => `step ${(STEPS * part).toFixed(1)} of ${STEPS}`,
+    where: messages.onSpiralInto,
+    label: messages.stepsSIntoLandmark,
+    value: (part: number) => messages.stepOf((STEPS * part).toFixed(1), STEPS),
   },
 };
 
@@ -36,11 +37,11 @@ export function FamilyStrip() {
   const known = verdict.value;
   const told = known && !known.stale ? `, ${verdictPhrase(known.connectedness)}` : "";
   return (
-    <section class="strip" aria-label="The way of s">
+    <section class="strip" aria-label={messages.pathS}>
       <PlayButton playing={orbiting.value} onToggle={toggleOrbit} />
       <div class={css["family-way"]}>
         <p class="number">
-          s = {complexWords(here.value, 3)}
+          {messages.sIs(complexWords(here.value, 3))}
           {!narrow.value && <span class="dim"> {words.where}</span>}
         </p>
         <Slider

@@ -2,6 +2,7 @@
 
 import { isPrime } from "#geometry/maps/polygon-family";
 import type { Uv } from "#geometry/path";
+import * as messages from "../messages";
 
 /** Circles about 0 that tell something. */
 export function circlesOf(sides: number): { radius: number; name: string; kind: "one" | "area" | "line" }[] {
@@ -14,10 +15,9 @@ export function circlesOf(sides: number): { radius: number; name: string; kind: 
 
 /** How the map is read. */
 export function familyWords(sides: number): string {
-  const copies =
-    sides === 2 ? "two copies of itself" : `${sides} copies of itself at the corners of a polygon`;
-  const name = sides === 2 ? " Those that are in one piece are the set M." : "";
-  return `Every point s is a shape made of ${copies}, each |s| times as large and turned by the angle of s: pale where it is in one piece.${name}`;
+  const copies = sides === 2 ? messages.twoCopiesItself : messages.copiesOnPolygon(sides);
+  const name = sides === 2 ? messages.paleSetCalledM : "";
+  return messages.pointIs(copies, name);
 }
 
 /**
@@ -25,20 +25,12 @@ export function familyWords(sides: number): string {
  * and any two meet, all hang together.
  */
 export function theoremWords(sides: number): string[] {
-  const outside = isPrime(sides)
-    ? `Outside |s| = 1/√${sides} it is always in one piece: there the pieces are too large to lie apart.`
-    : `Outside |s| = 1/√${sides} some pieces must meet: there they are too large to lie apart.`;
-  return [
-    outside,
-    `Inside |s| = 1/${sides} it never is: what is thinner than a line cannot hang together.`,
-    "Between the two circles nobody has a formula: what you see is computed.",
-  ];
+  const outside = isPrime(sides) ? messages.alwaysOutside(sides) : messages.someMeetOutside(sides);
+  return [outside, messages.neverInside(sides), messages.betweenTwoCirclesNo];
 }
 
 export function symmetryWords(sides: number): string {
-  return sides === 2
-    ? "s and −s give the same shape, and s̄ its mirror image."
-    : `Turning s by 1/${sides} of a turn gives the same shape, and s̄ its mirror image.`;
+  return sides === 2 ? messages.oppositeSameShape : messages.sameShapes(sides);
 }
 
 /** Other parameters with the same shape, or with its mirror image. */

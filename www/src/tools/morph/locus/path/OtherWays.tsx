@@ -8,6 +8,7 @@ import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
 import { isPromised, kept } from "../../shapes/promised";
 import { takeWay } from "../../ways";
+import * as messages from "../messages";
 
 /** Where the automatic path breaks: what else was tried by itself, and what came of it. */
 export function OtherWays() {
@@ -23,13 +24,10 @@ export function OtherWays() {
     notify({
       kind: "info",
       text: wordsOf(best).what,
-      action: { label: "Use it", run: () => take(best) },
+      action: { label: messages.apply, run: () => take(best) },
     });
   }, [best, over]);
-  if (endBroken.value)
-    return (
-      <p class="hint">One of the two shapes is in pieces, so no path stays in one piece from end to end.</p>
-    );
+  if (endBroken.value) return <p class="hint">{messages.oneTwoShapesIn}</p>;
   if (found === null) return null;
   return (
     <div class={pathCss["path-ways"]}>
@@ -45,21 +43,19 @@ const wordsOf = ({ way, plan }: Offer, gap = 0) => offerWords(way, plan, gap, sc
 function take(offer: Offer): void {
   const { what } = wordsOf(offer, otherWays.peek()?.gap);
   edit((before) => takeWay(before, offer.way, wayOf(offer.plan)));
-  notify({ kind: "info", text: `Done: ${what}`, action: { label: "Undo", run: undo } });
+  notify({ kind: "info", text: messages.doneWhat(what), action: { label: messages.undo, run: undo } });
 }
 
 function Progress({ search: { of, done } }: { search: Search }) {
   return (
     <div class={pathCss["path-proof-bar"]}>
       <progress
-        aria-label="Trying other paths"
+        aria-label={messages.tryingOtherPaths}
         {...(of === null ? {} : { max: Math.max(of, 1), value: done })}
       />
-      <span class="hint">
-        {of === null ? "Looking for other paths …" : `Trying other paths: ${done} of ${of}`}
-      </span>
+      <span class="hint">{of === null ? messages.searchingForOtherPaths : messages.tryingOf(done, of)}</span>
       <Button kind="quiet" onClick={stopLooking}>
-        Stop
+        {messages.stop}
       </Button>
     </div>
   );
@@ -72,12 +68,12 @@ function Found({ offer, gap }: { offer: Offer; gap: number }) {
       <div>
         <strong>{words.what}</strong>
         <details>
-          <summary>What becomes of the shapes</summary>
+          <summary>{messages.whatThisChanges}</summary>
           <p>{words.why}</p>
         </details>
       </div>
-      <Button description="One step, which can be undone" onClick={() => take(offer)}>
-        Use it
+      <Button description={messages.singleUndoStep} onClick={() => take(offer)}>
+        {messages.apply}
       </Button>
     </div>
   );

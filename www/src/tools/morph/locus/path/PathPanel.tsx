@@ -14,6 +14,7 @@ import type { PathKind } from "#wasm/api";
 import { workers } from "#workers/pool/engine";
 import { WayElse } from "../../later";
 import { mode, pathKind } from "../../parts";
+import * as messages from "../messages";
 import { third } from "./automatic";
 import { PATH } from "./handles";
 import { bounds, MOST_W, showW, thirdShown } from "./way";
@@ -38,7 +39,7 @@ export function PathPanel() {
       <WayPointEditor
         path={PATH}
         bounds={bounds.value}
-        hint="or press twice on the path"
+        hint={messages.orDoubleClickPath}
         third={{ shown: thirdShown.value, most: MOST_W, ask: mode.value === "polar" && <AskThird /> }}
       />
       <Certificate />
@@ -62,7 +63,7 @@ function PathVerdict() {
   });
   const proof = certified.value;
   const words = sought.value
-    ? "Looking for a way …"
+    ? messages.searchingForPath
     : pathWords({
         states: pathStates.value,
         widest: widest.value ?? 0,
@@ -94,11 +95,7 @@ function NoWay() {
 
 function AskThird() {
   return (
-    <Button
-      kind="quiet"
-      description="A third number, w: how far the stretch is ahead of the turn"
-      onClick={showW}
-    >
+    <Button kind="quiet" description={messages.thirdNumberWHow} onClick={showW}>
       <span class="symbol">w</span>
     </Button>
   );
@@ -115,9 +112,9 @@ function Certificate() {
       {running ? (
         <>
           <div class={pathCss["path-proof-bar"]}>
-            <progress aria-label="The path, being proved" max={1} value={now.done / now.parts} />
+            <progress aria-label={messages.proofPath} max={1} value={now.done / now.parts} />
             <Button kind="quiet" onClick={stopCertifying}>
-              Cancel
+              {messages.cancel}
             </Button>
           </div>
           <p class="hint">{certifiedWords(now)}</p>
@@ -125,18 +122,18 @@ function Certificate() {
       ) : now === null ? (
         <Button
           kind="quiet"
-          description="Until now 241 moments were looked at. This makes sure of all that lie between, too"
+          description={messages.soFarFrondHas}
           disabled={!workers.value.available && along.value === null}
           onClick={certify}
         >
-          {breaksHidden.value ? "Prove how narrow its gaps stay" : "Prove it for every moment"}
+          {breaksHidden.value ? messages.tryToBoundGaps : messages.tryToProveWhole}
         </Button>
       ) : (
         <p class={pathCss["path-proved"]} role="status">
           {certifiedWords(now)}{" "}
           {now.joints > 0 && (
             <a href="./theorems.html#joints" target="_blank" rel="noopener">
-              Why that is a proof
+              {messages.whyProof}
             </a>
           )}
         </p>

@@ -6,6 +6,7 @@ import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { openMatching, openRoutes } from "../../dialogs";
 import { mode } from "../../parts";
+import * as messages from "../messages";
 import { setThird, third } from "./automatic";
 
 /** What else there is where the automatic path cannot hold, or has been led through the third parameter. */
@@ -20,22 +21,18 @@ export function WayElse() {
         <p class="hint">{bestWords(best?.apart === true, further?.plan != null)}</p>
       )}
       {mode.value === "polar" && (
-        <Switch
-          checked={third.value}
-          onChange={setThird}
-          description="The stretch may run ahead of the turn, or behind it: a path through three parameters"
-        >
-          {looking ? "With a third parameter: looking …" : "With a third parameter"}
+        <Switch checked={third.value} onChange={setThird} description={messages.stretchMayLeadOr}>
+          {looking ? messages.withThirdParameterSearching : messages.withThirdParameter}
         </Switch>
       )}
-      {inVain && <p class="hint">The third parameter does not help here.</p>}
+      {inVain && <p class="hint">{messages.thirdParameterDoesNot}</p>}
       {stuck.value && (
         <div class={pathCss["path-offers"]}>
           <Button kind="quiet" onClick={openMatching}>
-            Other ways to match
+            {messages.otherPairings}
           </Button>
           <Button kind="quiet" onClick={openRoutes}>
-            Other ways across
+            {messages.otherPaths}
           </Button>
         </div>
       )}

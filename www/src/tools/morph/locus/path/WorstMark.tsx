@@ -3,6 +3,7 @@ import { pathPoints } from "#document/morph";
 import { percent } from "#format/path-words";
 import { shareWords } from "#format/verdict";
 import { uvAt } from "#geometry/path";
+import * as messages from "../messages";
 import { shownWindow } from "../view/view";
 import { place } from "./way";
 
@@ -17,7 +18,7 @@ export function WorstMark() {
       class="worst-mark"
       style={{ left: `${100 * x}%`, top: `${100 * y}%` }}
       role="img"
-      aria-label={`Widest gap of the path: ${shareWords(worst.gap)}, at ${percent(worst.t)}`}
+      aria-label={messages.worstAt(shareWords(worst.gap), percent(worst.t))}
     />
   );
 }

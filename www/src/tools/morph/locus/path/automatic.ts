@@ -16,6 +16,7 @@ import { plan as flatPlan, publish } from "#compute/results";
 import { announce, notify, wordsOf } from "#document/notice";
 import { edit, replace, scene } from "#document/scene";
 import type { PathPlan } from "#wasm/api";
+import * as messages from "../messages";
 
 /** The pair that the waypoints of an automatic path belong to. A link's own points are left as they were sent. */
 const settledFor = signal<LocusInputs | null>(null);
@@ -53,7 +54,7 @@ function lookFurther(inputs: LocusInputs, asked: boolean): void {
       const flat = flatPlan.peek();
       const points = wayOf(plan);
       if (!leavesPlane(points) || (flat && !isBetter(plan, flat))) {
-        if (asked) announce("The third parameter does not help here.");
+        if (asked) announce(messages.thirdParameterDoesNot);
         wished.value = false;
         if (flat) {
           settledFor.value = null;
@@ -71,7 +72,7 @@ function lookFurther(inputs: LocusInputs, asked: boolean): void {
       wished.value = false;
       notify({
         kind: "error",
-        text: `No path through three parameters could be found: ${wordsOf(problem)}`,
+        text: messages.thirdFailed(wordsOf(problem)),
       });
     },
   });

@@ -12,6 +12,7 @@ import { clamp, insert, move, nearestOn, remove } from "#geometry/polyline";
 import { sampleNear } from "#geometry/states";
 import type { Bounds } from "#wasm/api";
 import { MOST_POINTS, setPoints } from "../../changes";
+import * as messages from "../messages";
 
 /** The part of the (u, v) plane that is shown before the engine has said so. */
 const WHOLE: Bounds = { u0: -1, v0: -1, u1: 2, v1: 2 };
@@ -72,8 +73,8 @@ export function wayWords(index: number): string {
   const breaks = pathBreaks.value;
   const meets = (from: number, to: number) => breaks.some(({ t0, t1 }) => t0 < to && t1 > from);
   const words = [verdictPhrase(told)];
-  if (meets(before, at)) words.push("breaks on the way to it");
-  if (meets(at, after)) words.push(words.length > 1 ? "and from it" : "breaks on the way from it");
+  if (meets(before, at)) words.push(messages.breaksOnPathBefore);
+  if (meets(at, after)) words.push(words.length > 1 ? messages.andAfter : messages.breaksOnPathAfter);
   return words.join(", ").replace(", and", " and");
 }
 
@@ -123,7 +124,7 @@ export function moveTo(index: number, point: Uv, gesture?: string): void {
  */
 export function addAt(point: Uv): number | null {
   if (way.peek().length >= MOST_POINTS) {
-    announce(`A path has at most ${MOST_POINTS} waypoints.`);
+    announce(messages.mostWaypoints(MOST_POINTS));
     return null;
   }
   const { segment } = nearestOn(pathPoints.peek(), point);
@@ -147,7 +148,7 @@ function addTo(segment: number, point: Uv): number {
   set(insert(way.peek(), segment, at));
   keepMoment(before);
   pick(segment);
-  announce(`Waypoint ${segment + 1} of ${way.peek().length} added at ${pointWords(at)}, ${stateAt(at)}.`);
+  announce(messages.waypointAdded(segment + 1, way.peek().length, pointWords(at), stateAt(at)));
   return segment;
 }
 
@@ -161,7 +162,7 @@ export function removeAt(index: number): void {
   endGesture();
   set(remove(way.peek(), index));
   pick(null);
-  announce(`Waypoint ${index + 1} removed, ${way.peek().length} left.`);
+  announce(messages.waypointRemoved(index + 1, way.peek().length));
 }
 
 /** The moment is told by length along the path: after a change it is looked up anew, so that the picture stays. */

@@ -10,6 +10,7 @@ import { Term } from "#ui/terms/Term";
 import type { TermName } from "#ui/terms/words";
 import { type End, nameOf } from "../../changes";
 import fieldCss from "../field.module.css";
+import * as messages from "../messages";
 import { addAt } from "../path/way";
 import { digitsOf } from "../view/geometry";
 import { backToPath, family, picked, setPlane, sides, view } from "../view/view";
@@ -29,14 +30,14 @@ function OfMorph() {
   return (
     <div class="locus-now">
       <dl>
-        <Value name="turn and stretch" term="u and v" symbol="u" value={fixed(u, digits)} />
-        <Value name="move" term="u and v" symbol="v" value={fixed(v, digits)} />
-        {third && <Value name="stretch ahead" symbol="w" value={fixed(w, 2)} />}
+        <Value name={messages.rotateAndStretch} term="u and v" symbol="u" value={fixed(u, digits)} />
+        <Value name={messages.move} term="u and v" symbol="v" value={fixed(v, digits)} />
+        {third && <Value name={messages.stretchLead} symbol="w" value={fixed(w, 2)} />}
       </dl>
       {at && <There />}
       {at && (
         <div class={fieldCss["locus-act"]}>
-          <Button onClick={backToPath}>Back to the path</Button>
+          <Button onClick={backToPath}>{messages.backToPath}</Button>
           <Button
             onClick={() => {
               const [x, y, z = 0] = at;
@@ -44,7 +45,7 @@ function OfMorph() {
               addAt([x, y, z]);
             }}
           >
-            Add as waypoint
+            {messages.addAsWaypoint}
           </Button>
         </div>
       )}
@@ -56,7 +57,7 @@ function OfMorph() {
 function There() {
   const known = verdict.value;
   if (!known || known.stale) return null;
-  return <p class="hint">At this point: {verdictPhrase(known.connectedness, known.epsilon)}.</p>;
+  return <p class="hint">{messages.atPoint(verdictPhrase(known.connectedness, known.epsilon))}</p>;
 }
 
 interface ValueProps {
@@ -84,15 +85,15 @@ function OfFamily() {
   return (
     <div class="locus-now">
       <dl>
-        <Value name="turn and shrink by" term="M" symbol="s" value={words} />
+        <Value name={messages.rotateAndShrink} term="M" symbol="s" value={words} />
       </dl>
       <There />
       <div class={fieldCss["locus-act"]}>
-        <Button onClick={() => use("a", n, s)} description="This shape is where the morph starts">
-          Use as A
+        <Button onClick={() => use("a", n, s)} description={messages.morphThenStartsWith}>
+          {messages.useAs}
         </Button>
-        <Button onClick={() => use("b", n, s)} description="This shape is where the morph ends">
-          Use as B
+        <Button onClick={() => use("b", n, s)} description={messages.morphThenEndsWith}>
+          {messages.useAsB}
         </Button>
       </div>
     </div>
@@ -103,15 +104,15 @@ function OfFamily() {
 function use(end: End, n: number, s: [number, number, number?]): void {
   const maps = familyMaps(n, s);
   if (!maps) {
-    notify({ kind: "error", text: "This shape could not be made." });
+    notify({ kind: "error", text: messages.thisShapeCouldNot });
     return;
   }
-  const name = `${n === 2 ? "M" : `${n}-gon`} at ${complexWords(s, 3)}`;
+  const name = messages.nameAt(n === 2 ? "M" : messages.gon(n), complexWords(s, 3));
   edit((before) => ({ ...before, [end]: { name, maps }, correspondence: [], turns: [] }));
-  announce(`Shape ${nameOf(end)} is now ${name}.`);
+  announce(messages.shapeNow(nameOf(end), name));
   notify({
     kind: "info",
-    text: `Shape ${nameOf(end)} is now ${name}.`,
-    action: { label: "See the morph", run: () => setPlane("morph", 2) },
+    text: messages.shapeNow(nameOf(end), name),
+    action: { label: messages.showMorph, run: () => setPlane("morph", 2) },
   });
 }

@@ -5,15 +5,14 @@ import { announce } from "#document/notice";
 import type { Uv } from "#geometry/path";
 import { pointOf } from "#geometry/polyline";
 import fieldCss from "../field.module.css";
+import * as messages from "../messages";
 import { isOutside } from "../path/handles";
 import { addAt, place } from "../path/way";
 import { goHome, panBy, picked, pickPoint, shownWindow, view } from "../view/view";
 import { zoomAbout } from "./gestures";
 import { pointed } from "./hover";
 
-export const CROSS_HINT =
-  "Arrow keys move the cross, with Shift finer, with Alt farther; plus and minus zoom about it, 0 shows all; " +
-  "Enter shows the shape there, A makes it a waypoint.";
+export const CROSS_HINT = messages.arrowKeysMoveCross + messages.enterShowsShapeThere;
 
 /** Parts of the window that a key moves the cross by. */
 const STEP = 1 / 40;
@@ -82,7 +81,7 @@ function act(event: KeyboardEvent): boolean {
       break;
     case "Enter":
       pickPoint(at);
-      announce("The picture shows this shape now.");
+      announce(messages.pictureNowShowsThis);
       break;
     case "a":
     case "A":

@@ -17,6 +17,7 @@ import {
 } from "#style/ramp";
 import { escaped, rounded, svgFile, svgPen, tag } from "#ui/files/svg";
 import type { Bounds, Locus } from "#wasm/api";
+import * as messages from "../messages";
 import { outlinesOf } from "./areas";
 import { drawAxes, MARGIN } from "./axes";
 
@@ -50,12 +51,12 @@ interface Look {
 }
 
 const LOOKS: Readonly<Record<number, Look>> = {
-  [STATE.connected]: { words: "In one piece, proved", fill: rgb(HOLDS) },
-  [STATE.touching]: { words: "Looks whole at this resolution", fill: rgb(TOUCHES), over: "dots" },
-  [STATE.hidden]: { words: "In pieces, by a gap too narrow to be seen", fill: rgb(HIDDEN), over: "stripes" },
-  [STATE.undecided]: { words: "Not decided", fill: rgb(UNDECIDED), over: "specks" },
-  [STATE.none]: { words: "No attractor", fill: rgb(NONE), over: "cross" },
-  [STATE.disconnected]: { words: "In pieces, by Frond’s own bounds", fill: rgb(BROKEN) },
+  [STATE.connected]: { words: messages.inOnePieceProved, fill: rgb(HOLDS) },
+  [STATE.touching]: { words: messages.noGapSeenAt, fill: rgb(TOUCHES), over: "dots" },
+  [STATE.hidden]: { words: messages.inPiecesByGap, fill: rgb(HIDDEN), over: "stripes" },
+  [STATE.undecided]: { words: messages.notDecided, fill: rgb(UNDECIDED), over: "specks" },
+  [STATE.none]: { words: messages.noAttractor, fill: rgb(NONE), over: "cross" },
+  [STATE.disconnected]: { words: messages.inPiecesByFronds, fill: rgb(BROKEN) },
 };
 
 const PATTERNS = [
@@ -95,15 +96,15 @@ export function mapDrawing({ title, window, names, areas, path, ends = [] }: Map
   });
   for (const { letter, at } of ends) pen.parts.push(endOf(letter, at));
   const said = [
-    areas ? `${drawn.length} areas` : "",
-    path ? "the path" : "",
-    `${names.across} from ${window.u0} to ${window.u1}, ${names.up} from ${window.v0} to ${window.v1}`,
+    areas ? messages.areas(drawn.length) : "",
+    path ? messages.path : "",
+    messages.axesFromTo(names.across, window.u0, window.u1, names.up, window.v0, window.v1),
   ];
   return svgFile(
     {
       box: [0, 0, SIDE + MARGIN.left + MARGIN.right, SIDE + MARGIN.top + MARGIN.bottom],
       title,
-      about: `${said.filter(Boolean).join(", ")}. Made by Frond.`,
+      about: messages.madeBy(said.filter(Boolean).join(", ")),
     },
     ...(areas ? [tag("defs", {}, ...PATTERNS)] : []),
     ...pen.parts,
@@ -149,7 +150,7 @@ function areasOf({ field, style, epsilon }: NonNullable<MapDrawing["areas"]>, wi
 
 function lookOf(one: number): Look | undefined {
   if (one < SHADE || one >= SHADE + SHADES) return LOOKS[one];
-  return { words: "In pieces, by Frond’s own bounds", fill: rgb(ramp((one - SHADE + 0.5) / SHADES)) };
+  return { words: messages.inPiecesByFronds, fill: rgb(ramp((one - SHADE + 0.5) / SHADES)) };
 }
 
 /** Where the corner of a cell lies on the square: samples are in the middle of cells, the outermost on its edges. */

@@ -10,6 +10,7 @@ import { type LocusStyle, paint } from "#stage/locus/paint";
 import { download, plainName, pngOf } from "#ui/files/download";
 import { loadExchange } from "#wasm/exchange";
 import { around, linePath, THICK } from "../marks";
+import * as messages from "../messages";
 import { isOutside } from "../path/handles";
 import { place } from "../path/way";
 import { shownField } from "../view/shown";
@@ -27,7 +28,7 @@ const SIZE = 1600;
 export async function saveLocus(kind: LocusFile, style: LocusStyle): Promise<void> {
   try {
     const field = shownField.peek();
-    if (!field) throw new Error("Nothing is known of the map yet. Wait a moment.");
+    if (!field) throw new Error(messages.locusHasNotBeen);
     const { width, gap, bounds } = field;
     const states = Uint8Array.from(field.state, atAll);
     if (kind === "png") {
@@ -44,11 +45,11 @@ export async function saveLocus(kind: LocusFile, style: LocusStyle): Promise<voi
       download(new Blob([new Uint8Array(bytes)]), `${fileName()}.npy`);
     }
     if ((locusWindow.peek()?.progress ?? 1) < 1) {
-      const text = "The map is not complete yet: what was not decided is left open in the file.";
+      const text = messages.locusNotCompleteYet;
       notify({ kind: "info", text });
     }
   } catch (problem) {
-    notify({ kind: "error", text: `The map could not be saved: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.locusNotSaved(wordsOf(problem)) });
   }
 }
 
@@ -64,7 +65,7 @@ function drawing(field: Parameters<typeof paint>[0], style: LocusStyle, alone: b
   const window = shownWindow.peek();
   const { a, b } = scene.peek();
   const map = { window, names: namesOf(), areas: { field, style, epsilon: epsilon.peek() } };
-  if (family.peek() === "polygon") return mapDrawing({ ...map, title: `Polygons of ${sides.peek()} sides` });
+  if (family.peek() === "polygon") return mapDrawing({ ...map, title: messages.polygonsOf(sides.peek()) });
   const points = pathPoints.peek();
   const within = around();
   const lines = (pieces: [Uv, Uv][]) => linePath(pieces.flatMap((piece) => piecesIn(piece, within)));
@@ -74,7 +75,7 @@ function drawing(field: Parameters<typeof paint>[0], style: LocusStyle, alone: b
   return mapDrawing({
     ...axes,
     ...(alone ? {} : { areas }),
-    title: `${a.name} to ${b.name}`,
+    title: messages.fromTo(a.name, b.name),
     path: {
       whole: lines(whole.near),
       faint: lines(whole.far),
@@ -99,7 +100,7 @@ function picture(field: Parameters<typeof paint>[0], style: LocusStyle): HTMLCan
   canvas.width = SIZE + MARGIN.left + MARGIN.right;
   canvas.height = SIZE + MARGIN.top + MARGIN.bottom;
   const context = canvas.getContext("2d");
-  if (!context) throw new Error("The browser gives no canvas.");
+  if (!context) throw new Error(messages.browserCouldNotCreate);
   drawAxes(context, SIZE, window, namesOf(), () => context.drawImage(square, MARGIN.left, MARGIN.top));
   return canvas;
 }

@@ -7,6 +7,7 @@ import { locusWindow } from "#compute/results";
 import type { Uv } from "#geometry/path";
 import { cancel, submit } from "#workers/pool/engine";
 import type { Cause, Job } from "#workers/pool/protocol";
+import * as messages from "../messages";
 import { CLOSER, causeWords, chosen, counted, isOf, type Looked } from "./causes";
 import { shownField } from "./shown";
 import { epsilon, shownWindow, view } from "./view";
@@ -30,17 +31,17 @@ export function Causes() {
   const now = isOf(found.value, inputs.value, where.value);
   return (
     <details class="fold" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
-      <summary>What only looks whole, by cause</summary>
+      <summary>{messages.whySomeNotProved}</summary>
       {open && (
         <div class="fold-body" aria-live="polite">
           {now === null || now.causes.length === 0 ? (
-            <p class="hint">{now?.of === 0 ? "All that holds is proved." : "Looking closer …"}</p>
+            <p class="hint">{now?.of === 0 ? messages.allPaleAreaProved : messages.checkingMoreClosely}</p>
           ) : (
             <>
               <p class="hint">
                 {now.causes.length < now.of
-                  ? `Looking closer: ${now.causes.length} of ${now.of} samples.`
-                  : `Of ${now.of} samples that only look whole, looked at closer:`}
+                  ? messages.checkingCauses(now.causes.length, now.of)
+                  : messages.causesOf(now.of)}
               </p>
               <ul class="hint">
                 {counted(now.causes).map(([cause, count]) => (

@@ -1,5 +1,6 @@
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
+import * as messages from "../messages";
 import { family, setPlane, sides } from "./view";
 
 type Plane = "morph" | "m" | "polygon";
@@ -12,19 +13,19 @@ export function Planes() {
   return (
     <div class="planes">
       <Segmented<Plane>
-        label="What is mapped"
+        label={messages.familyShapes}
         value={plane}
         options={[
-          { value: "morph", label: "This morph", description: "All that the two shapes can become" },
+          { value: "morph", label: messages.thisMorph, description: messages.allCanLieBetween },
           {
             value: "m",
-            label: "Pairs (M)",
-            description: "Shapes of two copies, turned and shrunk by s: {s z − 1, s z + 1}",
+            label: messages.pairsM,
+            description: messages.shapesTwoCopiesRotated,
           },
           {
             value: "polygon",
-            label: "Polygons",
-            description: "Copies at the corners of a polygon, all turned and shrunk by s",
+            label: messages.polygons,
+            description: messages.copiesAtCornersPolygon,
           },
         ]}
         onChange={(next) => {
@@ -34,14 +35,14 @@ export function Planes() {
       />
       {plane === "polygon" && (
         <NumberField
-          label="Corners"
+          label={messages.corners}
           symbol="n"
           value={sides.value}
           min={3}
           max={64}
           whole
           onChange={(next) => {
-            if (!Number.isInteger(next)) return "A whole number, please.";
+            if (!Number.isInteger(next)) return messages.enterWholeNumber;
             lastSides = next;
             setPlane("polygon", next);
             return undefined;

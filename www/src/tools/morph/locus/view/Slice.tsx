@@ -7,6 +7,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { Slider } from "#ui/controls/Slider";
 import { mode } from "../../parts";
 import fieldCss from "../field.module.css";
+import * as messages from "../messages";
 import { THICKNESS } from "../path/handles";
 import { offSlice, picked, setView, view } from "./view";
 
@@ -22,23 +23,23 @@ export function Slice() {
   return (
     <details class="fold" open={open || w !== 0} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>
-        Stretch ahead of turn <span class="dim">this map: w {fixed(w, 2)}</span>
+        {messages.thirdParameter} <span class="dim">{messages.leadsBy(fixed(w, 2))}</span>
       </summary>
       <div class={fieldCss["slice"]}>
         <Slider
-          label="Stretch ahead of turn, w"
+          label={messages.wLabel}
           value={w}
           min={-1}
           max={1}
           step={0.01}
-          valueText={w === 0 ? "0: turn and stretch together" : fixed(w, 2)}
+          valueText={w === 0 ? messages.wTogether : fixed(w, 2)}
           onChange={toSlice}
         >
           <span class={fieldCss["slice-zero"]} />
         </Slider>
         <NumberField
           terse
-          label="stretch ahead of turn, w"
+          label={messages.wField}
           symbol="w"
           value={w}
           min={-1}
@@ -47,14 +48,11 @@ export function Slice() {
           onChange={(next) => toSlice(next)}
         />
       </div>
-      <p class="hint">
-        Turning and stretching need not go together. Here the square shows the morphs whose stretch is ahead
-        of their turn by <span class="symbol">w</span>.
-      </p>
+      <p class="hint">{messages.stretchNeedNot}</p>
       {Math.abs(off) > THICKNESS && (
         <p class={fieldCss["slice-off"]}>
-          The picture is at <span class="symbol">w</span> {fixed(there, 2)}, and not on this map.{" "}
-          <Button onClick={() => toSlice(there)}>Show the map there</Button>
+          {messages.pictureElsewhere(fixed(there, 2))}{" "}
+          <Button onClick={() => toSlice(there)}>{messages.showLocusThere}</Button>
         </p>
       )}
     </details>

@@ -2,6 +2,7 @@ import type { ComponentChildren } from "preact";
 import { fixed } from "#format/numbers";
 import { powerWords, resolutionWords } from "#format/verdict";
 import locusCss from "#stage/locus/locus.module.css";
+import * as messages from "../messages";
 import type { Origin } from "./geometry";
 import { large } from "./large";
 import { axisOf, NAMES } from "./Ticks";
@@ -21,13 +22,13 @@ export function TickOrigins() {
   if (u.origin && v.origin) {
     const same = u.origin.unit === v.origin.unit;
     const counted = ({ at, digits, unit }: Origin) =>
-      `${at < 0 ? "+" : "−"} ${fixed(Math.abs(at), Math.min(20, digits))}${same ? "" : `, in ${powerWords(unit)}`}`;
+      `${at < 0 ? "+" : "−"} ${fixed(Math.abs(at), Math.min(20, digits))}${same ? "" : messages.inUnits(powerWords(unit))}`;
     parts.push(["u", [<i key="u">{across}</i>, ` ${counted(u.origin)}`]]);
     parts.push(["v", [<i key="v">{up}</i>, ` ${counted(v.origin)}`]]);
-    if (same) parts.push(["unit", `counted in ${powerWords(u.origin.unit)}`]);
+    if (same) parts.push(["unit", messages.countedIn(powerWords(u.origin.unit))]);
   }
-  if (view.value.zoom >= LAST_ZOOM) parts.push(["end", "here numbers of 64 bits end"]);
-  if (large.value) parts.push(["epsilon", `ε ${resolutionWords(epsilon.value)} of the diameter`]);
+  if (view.value.zoom >= LAST_ZOOM) parts.push(["end", messages.n64BitNumbersEnd]);
+  if (large.value) parts.push(["epsilon", messages.ofDiameter(resolutionWords(epsilon.value))]);
   if (parts.length === 0) return null;
   return (
     <p class={`${locusCss["locus-origins"]} number`}>

@@ -1,5 +1,6 @@
 import { fixed } from "#format/numbers";
 import locusCss from "#stage/locus/locus.module.css";
+import * as messages from "../messages";
 import { countOf, originOf, ticksOf } from "./geometry";
 import { large } from "./large";
 import { family, shownWindow } from "./view";
@@ -8,7 +9,7 @@ import { family, shownWindow } from "./view";
 export const NAMES = { morph: { u: "u", v: "v" }, polygon: { u: "Re s", v: "Im s" } };
 
 /** The same beside what they do. */
-const WORDS = { morph: { u: "turn u", v: "move v" }, polygon: NAMES.polygon };
+const WORDS = { morph: { u: messages.uRotate, v: messages.moveV }, polygon: NAMES.polygon };
 
 /** A map that is narrower has fewer numbers, in CSS pixels of the page. */
 const NARROW = 600;

@@ -8,6 +8,7 @@ import type { Uv } from "#geometry/path";
 import { submit } from "#workers/pool/engine";
 import type { Job } from "#workers/pool/protocol";
 import css from "../field.module.css";
+import * as messages from "../messages";
 import { BoundarySearch, directionWords, othersOf, type Side, sideWords, uniform } from "./boundary";
 import { shownField } from "./shown";
 import { epsilon, family, fly, shownWindow, view } from "./view";
@@ -55,12 +56,15 @@ export function ToBoundary() {
           class="button"
           disabled={going.value}
           onClick={() => go(from, others.peek(), now.side)}
-          aria-label={`To the nearest boundary, ${directionWords(from, to)}`}
+          aria-label={messages.nearestBoundary(directionWords(from, to))}
         >
           <span class={css["to-arrow"]} style={{ rotate: `${-angle}rad` }} aria-hidden="true">
             →
           </span>{" "}
-          To the boundary, {far < 0.001 ? powerWords(far) : formatNumber(far, 3)} {directionWords(from, to)}
+          {messages.toBoundary(
+            far < 0.001 ? powerWords(far) : formatNumber(far, 3),
+            directionWords(from, to),
+          )}
         </button>
       )}
     </div>
@@ -113,12 +117,11 @@ function go(from: Uv, samples: readonly Uv[], which: Side): void {
   submit(job);
 }
 
-const NOWHERE = (nearness: string) =>
-  `What looks whole near here on the map of everything is in pieces at ${nearness}: no boundary was found.`;
+const NOWHERE = (nearness: string) => messages.noBoundary(nearness);
 
 function arrive(a: Uv, b: Uv, zoom: number): void {
   fly({ x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, zoom });
-  announce("At the boundary.");
+  announce(messages.atBorder);
 }
 
 /** A step of the whole plane is seen from here. */

@@ -5,6 +5,7 @@ import { zoomWords } from "#format/parameters";
 import { resolutionWords } from "#format/verdict";
 import { NumberField } from "#ui/controls/NumberField";
 import fieldCss from "../field.module.css";
+import * as messages from "../messages";
 import { digitsOf } from "./geometry";
 import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
 
@@ -21,22 +22,19 @@ export function WindowNumbers() {
     <details class="fold window-numbers">
       <summary>
         <span class={`${fieldCss["window-words"]} number`}>
-          <span>
-            {across} {inDigits(u0)} to {inDigits(u1)}
-          </span>{" "}
-          <span>
-            {up} {inDigits(v0)} to {inDigits(v1)}
-          </span>
+          <span>{messages.axisRange(across, inDigits(u0), inDigits(u1))}</span>{" "}
+          <span>{messages.axisRange(up, inDigits(v0), inDigits(v1))}</span>
         </span>
         <span class="dim number">{zoomWords(zoom)}</span>
       </summary>
       <p class="hint">
-        Pieces within {resolutionWords(epsilon.value)} of the shape’s diameter count as touching
-        {epsilon.value === LEAST_EPSILON ? ": finer than this, numbers of 64 bits cannot tell." : "."}
+        {(epsilon.value === LEAST_EPSILON ? messages.finestTouching : messages.touchingWithin)(
+          resolutionWords(epsilon.value),
+        )}
       </p>
       <div class={`${fieldCss["window-fields"]} ${zoom > LONG ? "long" : ""}`}>
         <NumberField
-          label="Middle"
+          label={messages.centreLabel}
           symbol={across}
           value={x}
           digits={Math.min(18, digits)}
@@ -44,7 +42,7 @@ export function WindowNumbers() {
           onChange={(next) => setView({ x: next })}
         />
         <NumberField
-          label="Middle"
+          label={messages.centreLabel}
           symbol={up}
           value={y}
           digits={Math.min(18, digits)}
@@ -52,7 +50,7 @@ export function WindowNumbers() {
           onChange={(next) => setView({ y: next })}
         />
         <NumberField
-          label="Times nearer"
+          label={messages.zoom}
           value={zoom}
           min={1}
           max={MOST_ZOOM}
@@ -75,7 +73,7 @@ function PickedFields({ across, up }: { across: string; up: string }) {
   return (
     <div class={`${fieldCss["window-fields"]} ${zoom > LONG ? "long" : ""}`}>
       <NumberField
-        label="Show the shape at"
+        label={messages.showShapeAt}
         symbol={across}
         value={at[0]}
         min={home.u0}
@@ -86,7 +84,7 @@ function PickedFields({ across, up }: { across: string; up: string }) {
         onDone={endGesture}
       />
       <NumberField
-        label="and"
+        label={messages.and}
         symbol={up}
         value={at[1]}
         min={home.v0}

@@ -1,6 +1,7 @@
 import { MOST_ZOOM } from "#compute/locus/window";
 import { IconButton } from "#ui/controls/Button";
 import fieldCss from "../field.module.css";
+import * as messages from "../messages";
 import { full, large, toggleFull, toggleLarge } from "./large";
 import { goHome, view, zoomBy } from "./view";
 
@@ -11,11 +12,11 @@ export function ZoomButtons() {
   const { zoom } = view.value;
   return (
     <div class={fieldCss["locus-zoom"]}>
-      {large.value && <IconButton icon="close" label="Back into the panel" onClick={toggleLarge} />}
+      {large.value && <IconButton icon="close" label={messages.backToPanel} onClick={toggleLarge} />}
       {large.value && (
         <IconButton
           icon="enlarge"
-          label="Full screen"
+          label={messages.fullScreen}
           command="map-full"
           pressed={full.value}
           onClick={() => void toggleFull()}
@@ -23,13 +24,18 @@ export function ZoomButtons() {
       )}
       <IconButton
         icon="add"
-        label="Nearer"
-        description="or press the map and turn the wheel, or press twice"
+        label={messages.zoomIn}
+        description={messages.orClickLocusAnd}
         disabled={zoom >= MOST_ZOOM}
         onClick={() => zoomBy(STEP)}
       />
-      <IconButton icon="remove" label="Farther" disabled={zoom <= 1} onClick={() => zoomBy(1 / STEP)} />
-      <IconButton icon="whole" label="All of the map" disabled={zoom <= 1} onClick={goHome} />
+      <IconButton
+        icon="remove"
+        label={messages.zoomOut}
+        disabled={zoom <= 1}
+        onClick={() => zoomBy(1 / STEP)}
+      />
+      <IconButton icon="whole" label={messages.resetView} disabled={zoom <= 1} onClick={goHome} />
     </div>
   );
 }

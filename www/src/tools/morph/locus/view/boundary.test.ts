@@ -45,9 +45,9 @@ describe("a view of one colour", () => {
       sideWords(uniform(field(rows)) ?? { side: "unknown", proved: 0 }, 1 / 600);
     expect(words(["cc", "cc"])).toBe("All of this is in one piece, proved.");
     expect(words(["ct", "tc"])).toBe(
-      "All of this looks whole at 1/600, and 50% of it is in one piece, proved.",
+      "No gap above 1/600 seen anywhere here. For 50% of it, one piece is proved.",
     );
-    expect(words(["tt", "tt"])).toBe("All of this looks whole at 1/600.");
+    expect(words(["tt", "tt"])).toBe("No gap above 1/600 seen anywhere here.");
     expect(words(["dd", "hd"])).toBe("All of this is in pieces, by Frond’s own bounds.");
   });
 

@@ -5,6 +5,7 @@ import { OWN_BOUNDS, resolutionWords } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { provedPart, STATE } from "#geometry/states";
 import type { Bounds, Locus } from "#wasm/api";
+import * as messages from "../messages";
 
 /** What a map says of a sample, as far as colours tell: it holds, it is broken, or neither is known. */
 export type Side = "holds" | "broken" | "unknown";
@@ -33,10 +34,10 @@ export function uniform({ state }: Pick<Field, "state">): { side: Side; proved: 
 
 /** That side in a sentence: what is proved of it is told apart from what only looks so. */
 export function sideWords({ side, proved }: { side: Side; proved: number }, epsilon: number): string {
-  if (side === "broken") return `All of this is in pieces, ${OWN_BOUNDS}.`;
-  if (proved === 1) return "All of this is in one piece, proved.";
-  const looks = `All of this looks whole at ${resolutionWords(epsilon)}`;
-  return proved === 0 ? `${looks}.` : `${looks}, and ${partWords(proved)} of it is in one piece, proved.`;
+  if (side === "broken") return messages.allInPieces(OWN_BOUNDS);
+  if (proved === 1) return messages.allThisInOne;
+  const looks = messages.allNoGap(resolutionWords(epsilon));
+  return proved === 0 ? `${looks}.` : messages.partProved(looks, partWords(proved));
 }
 
 /**
@@ -72,14 +73,14 @@ export function othersOf(
 const MOST_OTHERS = 96;
 
 const COMPASS = [
-  "to the right",
-  "up and to the right",
+  messages.toRight,
+  messages.upAndToRight,
   "up",
-  "up and to the left",
-  "to the left",
-  "down and to the left",
+  messages.upAndToLeft,
+  messages.toLeft,
+  messages.downAndToLeft,
   "down",
-  "down and to the right",
+  messages.downAndToRight,
 ] as const;
 
 /** A direction in words, by eighths of a turn. */

@@ -4,6 +4,7 @@ import type { Uv } from "#geometry/path";
 import { STATE } from "#geometry/states";
 import type { Bounds } from "#wasm/api";
 import type { Cause } from "#workers/pool/protocol";
+import * as messages from "../messages";
 
 /** So many times closer. */
 export const CLOSER = 1e-3;
@@ -55,14 +56,14 @@ export function counted(causes: readonly Cause[]): [cause: Cause, count: number]
 export function causeWords(cause: Cause, epsilon: number): string {
   switch (cause) {
     case "apart":
-      return `in pieces, by a gap narrower than ${resolutionWords(epsilon)}`;
+      return messages.narrowerGap(resolutionWords(epsilon));
     case "search":
-      return "in one piece: a longer search proves it";
+      return messages.inOnePieceLonger;
     case "rounding":
-      return "sharing points if numbers mean what they come near, which their last digits do not prove";
+      return messages.sharingPointsIfDecimals;
     case "near":
-      return `touching still at ${resolutionWords(CLOSER * epsilon)}, and nothing more was found`;
+      return messages.stillNoGap(resolutionWords(CLOSER * epsilon));
     case "open":
-      return `not decided at ${resolutionWords(CLOSER * epsilon)}`;
+      return messages.stillOpen(resolutionWords(CLOSER * epsilon));
   }
 }

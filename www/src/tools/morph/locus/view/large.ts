@@ -3,6 +3,7 @@ import { type ReadonlySignal, signal, useSignalEffect } from "@preact/signals";
 import { detail } from "#compute/locus/detail";
 import { notify } from "#document/notice";
 import { listenForEscape } from "#ui/escape";
+import * as messages from "../messages";
 
 /** A way of looking, no part of the document. */
 export const large = signal(false);
@@ -27,7 +28,7 @@ export async function toggleFull(): Promise<void> {
   } catch {
     notify({
       kind: "info",
-      text: "This browser gives the page no full screen here. The map is as large as the page.",
+      text: messages.thisBrowserDoesNot,
     });
   }
 }

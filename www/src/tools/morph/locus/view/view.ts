@@ -10,6 +10,7 @@ import { edit, replace, scene } from "#document/scene";
 import { fixed } from "#format/numbers";
 import type { Uv } from "#geometry/path";
 import type { Bounds, LocusView } from "#wasm/api";
+import * as messages from "../messages";
 import { between, digitsOf, kept, roundedTo, wholeOf, zoomed } from "./geometry";
 
 /** What is shown: the document's view, or all of its plane where that cannot be shown. */
@@ -135,7 +136,7 @@ effect(() => {
     replace(withView(home));
     notify({
       kind: "info",
-      text: `This view of the map cannot be shown: ${problem}. All of the map is shown instead.`,
+      text: messages.viewProblem(problem),
     });
   });
 });
