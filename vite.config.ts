@@ -70,6 +70,26 @@ const keptStyles = {
   renderChunk: (code: string) => code.replaceAll(used, ""),
 };
 
+/**
+ * Gives each file its own copy of the messages that it says: what only a later chunk says is no part of the first
+ * script. Without it, a catalogue lies whole in the first chunk that says anything of it.
+ */
+const ownMessages = {
+  name: "own-messages",
+  apply: "build" as const,
+  enforce: "pre" as const,
+  async resolveId(this: Resolver, source: string, importer: string | undefined) {
+    if (!importer || !/^[.#].*\/messages$/.test(source)) return null;
+    const found = await this.resolve(source, importer, { skipSelf: true });
+    const reader = createHash("sha256").update(relative(root, importer)).digest("hex").slice(0, 8);
+    return found ? `${found.id}?by=${reader}` : null;
+  },
+};
+
+interface Resolver {
+  resolve(source: string, importer: string, options: { skipSelf: boolean }): Promise<{ id: string } | null>;
+}
+
 export default defineConfig({
   // Relative addresses: the built site works from any folder of a plain static host.
   base: "./",
@@ -77,7 +97,7 @@ export default defineConfig({
   appType: "mpa",
   resolve: { tsconfigPaths: true },
   publicDir: "www/public",
-  plugins: [notation, classNames, keptStyles, sitePages, licenses, bill, securityPolicy],
+  plugins: [ownMessages, notation, classNames, keptStyles, sitePages, licenses, bill, securityPolicy],
   css: { modules: { generateScopedName: scopedName } },
   worker: { format: "es" },
   build: {

@@ -34,7 +34,7 @@ test("a link of two of them opens with what is proved of the way and of each sta
   await page.getByRole("spinbutton", { name: "Time in percent" }).fill("50");
   await page.keyboard.press("Enter");
   await studio.verdict.click();
-  await expect(page.getByRole("heading", { name: "What is known of each state" })).toBeVisible();
+  await expect(page.getByRole("heading", { name: "What is known about each state" })).toBeVisible();
   await expect(page.getByRole("listitem").filter({ hasText: /^State 2/ })).toContainText("copies of state 2");
   expect((await studio.scene()).directed?.b.preset).toBe("crystal");
   await page.getByRole("button", { name: "Edit the states of A" }).click();

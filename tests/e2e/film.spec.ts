@@ -14,7 +14,7 @@ async function film(page: Page, kind: string, numbers: Record<string, string>): 
     await field.press("Enter");
   }
   const download = page.waitForEvent("download", { timeout: 120_000 });
-  await dialog.getByRole("button", { name: "Make the film" }).click();
+  await dialog.getByRole("button", { name: "Render the film" }).click();
   return readFile(await (await download).path());
 }
 
@@ -75,10 +75,10 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   await page.getByRole("button", { name: "Save", exact: true }).click();
   await page.getByRole("menuitem", { name: "Film …" }).click();
   const dialog = page.getByRole("dialog", { name: "Export" });
-  await dialog.getByRole("img", { name: "The first frame" }).waitFor();
+  await dialog.getByRole("img", { name: "First frame" }).waitFor();
   await expectClean(page);
 
-  const small = { Width: "96", Height: "64", "Frames a second": "10", Length: "1" };
+  const small = { Width: "96", Height: "64", "Frames per second": "10", Length: "1" };
   const gif = await framesOf(page, await film(page, "GIF", small), "image/gif");
   expect(gif.map(({ milliseconds }) => milliseconds)).toEqual(Array.from({ length: 20 }, () => 100));
   expect(Math.min(...gif.map(({ lit }) => lit))).toBeGreaterThan(60);
@@ -89,7 +89,7 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
 
   // The map is in the corner, which is free without it, and the mark moves on it.
   await dialog.getByRole("button", { name: "Make another" }).click();
-  const inset = dialog.getByRole("switch", { name: "Show where on the map it is" });
+  const inset = dialog.getByRole("switch", { name: "Inset: position on the locus" });
   await inset.check();
   const mapped = await framesOf(page, await film(page, "APNG", small), "image/png");
   expect(Math.max(...gif.map(({ corner }) => corner))).toBe(0);
@@ -97,9 +97,9 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   expect(new Set(mapped.slice(0, 11).map(({ cornerHash }) => cornerHash)).size).toBeGreaterThan(5);
   await dialog.getByRole("button", { name: "Make another" }).click();
   await inset.uncheck();
-  await dialog.getByRole("radio", { name: "Once" }).check({ force: true });
+  await dialog.getByRole("radio", { name: "None" }).check({ force: true });
   await dialog.getByRole("combobox", { name: "Background" }).selectOption("clear");
-  const apng = await framesOf(page, await film(page, "APNG", { "Hold at ends": "0.2" }), "image/png");
+  const apng = await framesOf(page, await film(page, "APNG", { "Pause at both ends": "0.2" }), "image/png");
   // Either end stands still for two frames more.
   expect(apng.map(({ milliseconds }) => milliseconds)).toEqual([
     300,
@@ -120,7 +120,7 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   await dialog.getByRole("radio", { name: "The morph" }).check({ force: true });
   await dialog.getByRole("combobox", { name: "Size" }).selectOption("full");
   // By keys alone: the focus goes from one button to that which takes its place.
-  const begin = dialog.getByRole("button", { name: "Make the film" });
+  const begin = dialog.getByRole("button", { name: "Render the film" });
   await begin.press("Enter");
   const end = dialog.getByRole("button", { name: "Cancel" });
   await expect(end).toBeFocused();
@@ -128,11 +128,11 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   await expect(begin).toBeFocused();
 
   // It goes on while the dialog is closed, in another tool and among the figures; there it is ended, too.
-  await dialog.getByRole("button", { name: "Make the film" }).click();
+  await dialog.getByRole("button", { name: "Render the film" }).click();
   await page.keyboard.press("Escape");
   await expect(dialog).toHaveCount(0);
-  const chip = page.getByRole("region", { name: "The film in the making" });
-  await expect(chip.getByRole("progressbar", { name: "Frames made" })).toBeVisible();
+  const chip = page.getByRole("region", { name: "The film in progress" });
+  await expect(chip.getByRole("progressbar", { name: "Frames rendered" })).toBeVisible();
   await expectClean(page);
   // The chip is away while its dialog is open, and has the focus when it is back.
   const watch = chip.getByRole("button", { name: /^Film \d+%$/ });
@@ -156,7 +156,7 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
     await dialog.getByRole("spinbutton", { name: side }).press("Enter");
   }
   const download = page.waitForEvent("download", { timeout: 120_000 });
-  await dialog.getByRole("button", { name: "Make the film" }).click();
+  await dialog.getByRole("button", { name: "Render the film" }).click();
   await page.keyboard.press("Escape");
   await download;
   const there = page.getByRole("region", { name: "The film", exact: true });
@@ -173,7 +173,7 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
     await page.getByRole("menuitem", { name: "Picture of any size …" }).click();
     const pictures = page.getByRole("dialog", { name: "Save the picture" });
     await pictures.getByRole("radio", { name: "Step by step" }).check({ force: true });
-    await pictures.getByRole("combobox", { name: "Begins with" }).selectOption(seed);
+    await pictures.getByRole("combobox", { name: "Starts with" }).selectOption(seed);
     for (const [name, value] of [
       ["Steps", "2"],
       ["Width", "96"],
@@ -199,7 +199,7 @@ test("flat colours of a GIF are exact, and a video says which colours it has", a
   await page.getByRole("menuitem", { name: "Film …" }).click();
   const dialog = page.getByRole("dialog", { name: "Export" });
   const again = () => dialog.getByRole("button", { name: "Make another" }).click();
-  const small = { Width: "96", Height: "64", "Frames a second": "10", Length: "1" };
+  const small = { Width: "96", Height: "64", "Frames per second": "10", Length: "1" };
   const gif = await framesOf(page, await film(page, "GIF", small), "image/gif");
   await again();
   const apng = await framesOf(page, await film(page, "APNG", {}), "image/png");
@@ -257,7 +257,7 @@ test("a bend is filmed once round; where nothing moves the way to it is offered"
   await dialog.getByRole("button", { name: "Let it sway" }).click();
   await page.getByRole("button", { name: "Pause", exact: true }).click();
   await open();
-  const small = { Width: "96", Height: "64", "Frames a second": "10", to: "1" };
+  const small = { Width: "96", Height: "64", "Frames per second": "10", to: "1" };
   const frames = await framesOf(page, await film(page, "GIF", small), "image/gif");
   expect(frames).toHaveLength(10);
   expect(new Set(frames.map(({ hash }) => hash)).size).toBeGreaterThan(7);

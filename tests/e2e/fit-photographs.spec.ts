@@ -35,7 +35,7 @@ test("two leaves become each other with their photographs, which a reload finds 
     if (end === "A") await page.getByRole("link", { name: "Fit", exact: true }).click();
   }
 
-  const shown = page.getByRole("switch", { name: "Their photographs" });
+  const shown = page.getByRole("switch", { name: "Their photos" });
   /** The colours below and above the middle of the picture, once it is drawn. */
   const middle = async (): Promise<[Rgb, Rgb]> => {
     await page.evaluate(() => window.frond?.drawn());
@@ -92,7 +92,7 @@ test("two leaves become each other with their photographs, which a reload finds 
   await page.getByRole("button", { name: "Save", exact: true }).click();
   await page.getByRole("menuitem", { name: "Film …" }).click();
   const dialog = page.getByRole("dialog", { name: "Export" });
-  const leaves = dialog.getByRole("switch", { name: "With the photographs" });
+  const leaves = dialog.getByRole("switch", { name: "With the photos" });
   await expect(leaves).toBeChecked();
   await dialog.getByRole("radio", { name: "APNG" }).check({ force: true });
   for (const [name, value] of Object.entries({ Width: "96", Height: "96", Length: "0.5" })) {
@@ -102,7 +102,7 @@ test("two leaves become each other with their photographs, which a reload finds 
   for (const on of [true, false]) {
     await leaves.setChecked(on, { force: true });
     const download = page.waitForEvent("download");
-    await dialog.getByRole("button", { name: "Make the film" }).click();
+    await dialog.getByRole("button", { name: "Render the film" }).click();
     const bytes = await readFile(await (await download).path());
     const first = await page.evaluate(async (base64) => {
       const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

@@ -178,7 +178,7 @@ test("a flight through the natural scene is keyed, exported as a film that plays
   for (const [name, value] of [
     ["Width", "160"],
     ["Height", "90"],
-    ["Frames a second", "10"],
+    ["Frames per second", "10"],
     ["to", "1"],
   ] as const) {
     const field = dialog.getByRole("spinbutton", { name, exact: true });
@@ -186,7 +186,7 @@ test("a flight through the natural scene is keyed, exported as a film that plays
     await field.press("Enter");
   }
   const download = page.waitForEvent("download", { timeout: 300_000 });
-  await dialog.getByRole("button", { name: "Make the film" }).click();
+  await dialog.getByRole("button", { name: "Render the film" }).click();
   const bytes = await readFile(await (await download).path());
   // EBML: what WebM begins with.
   expect([...bytes.subarray(0, 4)]).toEqual([0x1a, 0x45, 0xdf, 0xa3]);

@@ -2,6 +2,7 @@ import { computed } from "@preact/signals";
 import { curveTime } from "#document/curve/curve";
 import css from "./curve.module.css";
 import { factsAlong, LOOKS } from "./facts";
+import * as messages from "./messages";
 
 const WIDTH = 300;
 const HEIGHT = 64;
@@ -60,7 +61,12 @@ export function Along() {
           viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
           preserveAspectRatio="none"
           role="img"
-          aria-label={`Dimension along the way: ${words(looks[0]?.dimension)} at A, ${words(looks.at(-1)?.dimension)} at B, between ${words(scale.low)} and ${words(scale.high)}.`}
+          aria-label={messages.dimensionAlong(
+            words(looks[0]?.dimension),
+            words(looks.at(-1)?.dimension),
+            words(scale.low),
+            words(scale.high),
+          )}
         >
           {crossed.value.map(([from, to]) => (
             <rect
@@ -85,8 +91,8 @@ export function Along() {
         )}
       </div>
       <figcaption>
-        <span>A {words(looks[0]?.dimension)}</span>
-        <span>{crossed.value.length > 0 ? "shaded: it crosses itself" : ""}</span>
+        <span>{messages.dimensionAtA(words(looks[0]?.dimension))}</span>
+        <span>{crossed.value.length > 0 ? messages.shadedCrossesItself : ""}</span>
         <span>{looks.length === LOOKS && `B ${words(looks.at(-1)?.dimension)}`}</span>
       </figcaption>
     </figure>

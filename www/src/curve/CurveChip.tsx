@@ -10,6 +10,7 @@ import stageCss from "#stage/stage.module.css";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
 import css from "./curve.module.css";
 import { factsNow, watchFacts } from "./facts";
+import * as messages from "./messages";
 import { crossingWords, whyWords } from "./words";
 
 const PANEL_ID = "curve-evidence";
@@ -21,13 +22,13 @@ const names = computed(() => {
   return now && !sameCurves(now) ? { a: now.a.name, b: now.b.name } : null;
 });
 
-const asideOf = (count: number) => crossingWords(count) || "by construction";
+const asideOf = (count: number) => crossingWords(count) || messages.byConstruction;
 
 /** That the curve is in one piece, as it is by construction, and whether it crosses itself; pressed, it tells why. */
 export function CurveChip() {
   useEffect(watchFacts, []);
   useSaidAtRest(() => ({
-    text: factsNow.value ? `One closed curve, ${asideOf(factsNow.value.crossings)}` : "",
+    text: factsNow.value ? messages.oneCurve(asideOf(factsNow.value.crossings)) : "",
     moving: playing.value,
   }));
   const crosses = crossingWords(crossings.value);
@@ -43,7 +44,7 @@ export function CurveChip() {
           />
         </svg>
       )}
-      <span class={stageCss["chip-text"]}>One closed curve</span>
+      <span class={stageCss["chip-text"]}>{messages.oneClosedCurve}</span>
       <span class={stageCss["chip-aside"]}>{asideOf(crossings.value)}</span>
     </EvidenceChip>
   );
@@ -53,13 +54,9 @@ export function CurveChip() {
 export function CurveEvidence() {
   const crosses = crossingWords(crossings.value);
   return (
-    <EvidencePanel id={PANEL_ID} chip={CHIP_ID} title="One closed curve, by construction">
+    <EvidencePanel id={PANEL_ID} chip={CHIP_ID} title={messages.oneClosedCurveBy}>
       <p>{whyWords(names.value)}</p>
-      <p>
-        {crosses === ""
-          ? "Just now it does not cross itself, either, as far as a five hundredth of its size tells."
-          : `It may cross itself, which neither opens nor parts it: just now it ${crosses}, as far as a five hundredth of its size tells.`}
-      </p>
+      <p>{crosses === "" ? messages.atThisMomentDoes : messages.mayCross(crosses)}</p>
     </EvidencePanel>
   );
 }

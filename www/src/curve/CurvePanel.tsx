@@ -19,6 +19,7 @@ import { rough } from "#wasm/curve";
 import { Along } from "./Along";
 import curveCss from "./curve.module.css";
 import { factsAlong, factsNow, watchFacts } from "./facts";
+import * as messages from "./messages";
 import { SaveButtons } from "./SaveButtons";
 import { crossingWords, matchWords, sizeWords, unlikeWords, wayWords } from "./words";
 
@@ -33,13 +34,13 @@ export function CurvePanel({ choose }: CurvePanelProps) {
   useEffect(watchFacts, []);
   return (
     <>
-      <section class={endsCss["ends"]} aria-label="The two shapes">
+      <section class={endsCss["ends"]} aria-label={messages.twoShapes}>
         <Card end="a" choose={choose} />
         <SwapEnds
           onSwap={() => {
             edit(swapCurves);
             const now = scene.peek().curves;
-            if (now) announce(`Swapped: from ${now.a.name} to ${now.b.name}.`);
+            if (now) announce(messages.swapped(now.a.name, now.b.name));
           }}
         />
         <Card end="b" choose={choose} />
@@ -48,16 +49,16 @@ export function CurvePanel({ choose }: CurvePanelProps) {
       <Photographs />
       <Colours />
       <SaveButtons />
-      <section class={curveCss["curve-back"]} aria-label="Systems">
+      <section class={curveCss["curve-back"]} aria-label={messages.systems}>
         <Button
           icon="play"
-          description="A morph from a fern to B, edge by edge and in one piece all the way"
+          description={messages.morphFromFernTo}
           onClick={() => {
             const now = scene.peek().curves;
             if (now) void fernBecomes(now.b);
           }}
         >
-          From a fern to B
+          {messages.fromFernToB}
         </Button>
         <BackToSystems />
       </section>
@@ -75,21 +76,21 @@ function Card({ end, choose }: { end: End } & CurvePanelProps) {
     <EndCard
       end={end}
       name={name}
-      note={`closed curve with ${size}`}
-      count={`${curve.knots.length} knots`}
+      note={messages.closedWith(size)}
+      count={messages.knots(curve.knots.length)}
       picture={<CurveThumb morph={curveMorph.value} s={end === "a" ? 0 : 1} />}
       onChoose={() => choose(end)}
     >
       <Menu
-        label={`More for shape ${upper}`}
+        label={messages.moreFor(upper)}
         items={[
-          { label: "Choose another …", icon: "grid", onSelect: () => choose(end) },
+          { label: messages.chooseAnother, icon: "grid", onSelect: () => choose(end) },
           {
-            label: `Use as ${other} too`,
+            label: messages.alsoAs(other),
             icon: "copy",
             onSelect: () => {
               edit((before) => curveAtBoth(before, end));
-              announce(`${name} is now at both ends.`);
+              announce(messages.bothShapes(name));
             },
           },
         ]}
@@ -115,27 +116,22 @@ function Way() {
   if (!both) return null;
   const { a, b, same } = both;
   const rows: [string, string, string, string][] = [
-    ["Knots", String(a.knots), now ? String(now.knots) : "…", String(b.knots)],
-    ["Copies", String(a.copies), now ? String(now.copies) : "…", String(b.copies)],
-    ["Dimension", figure(a.dimension), now ? figure(now.dimension) : "…", figure(b.dimension)],
+    [messages.knots2, String(a.knots), now ? String(now.knots) : "…", String(b.knots)],
+    [messages.copies, String(a.copies), now ? String(now.copies) : "…", String(b.copies)],
+    [messages.dimension, figure(a.dimension), now ? figure(now.dimension) : "…", figure(b.dimension)],
   ];
   return (
     <section class={`${curveCss["curve-way"]} stack`} aria-labelledby="curve-way">
       <header class="section-head">
-        <h2 id="curve-way">Closed all the way</h2>
+        <h2 id="curve-way">{messages.closedAlongWholePath}</h2>
       </header>
-      <p class="hint">
-        {same
-          ? "Both ends are the same curve: choose another for one of them to have a morph."
-          : wayWords(worst.value)}{" "}
-        Outlines morph with outlines only.
-      </p>
+      <p class="hint">{messages.outlinesOnly(same ? messages.bothEndsSameCurve : wayWords(worst.value))}</p>
       <table class={curveCss["curve-table"]}>
         <thead>
           <tr>
             <td />
             <th scope="col">A</th>
-            <th scope="col">now</th>
+            <th scope="col">{messages.now}</th>
             <th scope="col">B</th>
           </tr>
         </thead>
@@ -156,11 +152,11 @@ function Way() {
       {!same && now && <Unlike a={a.knots} b={b.knots} both={now.knots} />}
       {!same && (
         <>
-          <h3 class={curveCss["curve-sub"]}>How rough it is on the way</h3>
+          <h3 class={curveCss["curve-sub"]}>{messages.roughnessAlongPath}</h3>
           <Along />
         </>
       )}
-      {now && now.crossings > 0 && <p class="hint">Just now it {crossingWords(now.crossings)}.</p>}
+      {now && now.crossings > 0 && <p class="hint">{messages.nowCrosses(crossingWords(now.crossings))}</p>}
     </section>
   );
 }
@@ -181,40 +177,36 @@ function figure(dimension: number): string {
 function Photographs() {
   if (!photographs.value) return null;
   return (
-    <section class="stack" aria-label="Photographs">
+    <section class="stack" aria-label={messages.photos}>
       <Switch
         checked={photographsShown.value}
         onChange={(shown) => {
           photographsShown.value = shown;
         }}
       >
-        Their photographs
+        {messages.theirPhotos}
       </Switch>
-      <p class="hint">
-        Each leaf is carried along by its outline, by mean value coordinates (Floater 2003; Hormann and
-        Floater 2006), while one fades into the other. They are in this browser alone: pictures and films show
-        them, links and other files show the curves.
-      </p>
+      <p class="hint">{messages.eachPhotoFollowsOutline}</p>
     </section>
   );
 }
 
 const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [
-  { value: "map", label: "Copies", description: "One colour for all copies of an arc" },
-  { value: "address", label: "Edges", description: "From edge to edge another colour" },
-  { value: "density", label: "Plain", description: "One colour" },
+  { value: "map", label: messages.copies, description: messages.oneColourForAll },
+  { value: "address", label: messages.edges, description: messages.coloursAlternateFromEdge },
+  { value: "density", label: messages.plain, description: messages.oneColour },
 ];
 const colouring = computed(() => (scene.value.colouring === "grid" ? "density" : scene.value.colouring));
 const COLOUR_WORDS: Partial<Record<Colouring, string>> = {
-  map: "Edges of one colour are copies of one arc; the rest is straight.",
-  address: "Each copy has another colour than the one before; the rest is straight.",
+  map: messages.edgesOneColourCopies,
+  address: messages.eachCopyHasDifferent,
 };
 
 function Colours() {
   return (
-    <section class="stack" aria-label="Colour">
+    <section class="stack" aria-label={messages.colour}>
       <ChoiceRow
-        label="Colour by"
+        label={messages.colourBy}
         value={colouring.value}
         options={COLOURINGS}
         onChange={(next) => edit((before) => ({ ...before, colouring: next }))}

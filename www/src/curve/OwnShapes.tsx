@@ -13,6 +13,7 @@ import { mapsNote } from "#ui/shapes/ShapeGrid";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { DirectedShape, Shape } from "#wasm/api";
 import { frond } from "#wasm/core";
+import * as messages from "./messages";
 import css from "./own-shapes.module.css";
 
 const pictureOf = (id: string) => `own-${id}`;
@@ -36,8 +37,8 @@ export function OwnShapes({ onChoose, onDirected, small = false }: OwnShapesProp
   }, [all]);
   if (shapes.length === 0) return null;
   return (
-    <section class={css["own-shapes"]} aria-label="Your shapes">
-      <h3>Yours</h3>
+    <section class={css["own-shapes"]} aria-label={messages.yourShapes}>
+      <h3>{messages.yours}</h3>
       <ul class={`${css["list"]} ${small ? css["own-narrow"] : ""}`}>
         {shapes.map((shape) => (
           <Item key={shape.id} shape={shape} onChoose={onChoose} onDirected={onDirected} />
@@ -69,7 +70,7 @@ function Item({ shape, onChoose, onDirected }: ItemProps) {
       frond.validate({ maps });
       onChoose(withWeights({ name, maps }, weights));
     } catch (problem) {
-      notify({ kind: "info", text: `${name} cannot be used: ${wordsOf(problem)}` });
+      notify({ kind: "info", text: messages.cannotUse(name, wordsOf(problem)) });
     }
   };
   return (
@@ -84,22 +85,22 @@ function Item({ shape, onChoose, onDirected }: ItemProps) {
       </button>
       {naming && (
         <NameInput
-          label={`Name of ${name}`}
+          label={messages.nameOf(name)}
           name={name}
           longest={LONGEST_NAME}
           focused
-          onName={(given) => tell(renameOwnShape(id, given), `Renamed to ${given}.`)}
+          onName={(given) => tell(renameOwnShape(id, given), messages.renamedTo(given))}
           onEnd={() => setNaming(false)}
         />
       )}
       <span class={css["own-tools"]}>
         <small>{note}</small>
-        <IconButton icon="edit" kind="quiet" label={`Rename ${name}`} onClick={() => setNaming(true)} />
+        <IconButton icon="edit" kind="quiet" label={messages.rename(name)} onClick={() => setNaming(true)} />
         <IconButton
           icon="bin"
           kind="quiet"
-          label={`Remove ${name}`}
-          onClick={() => tell(removeOwnShape(id), `${name} was removed.`)}
+          label={messages.remove(name)}
+          onClick={() => tell(removeOwnShape(id), messages.wasRemoved(name))}
         />
       </span>
     </li>

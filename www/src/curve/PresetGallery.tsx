@@ -6,6 +6,7 @@ import { Dialog } from "#ui/overlay/Dialog";
 import { CARDS } from "#ui/shapes/EndCard";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import type { DirectedShape, Preset, Shape } from "#wasm/api";
+import * as messages from "./messages";
 import { OwnShapes } from "./OwnShapes";
 import css from "./own-shapes.module.css";
 import { Shelf } from "./parts";
@@ -61,7 +62,7 @@ export function PresetGallery({
       {apart !== null && (
         <>
           {outlines}
-          <h3 class={css["maps-heading"]}>Shapes of maps</h3>
+          <h3 class={css["maps-heading"]}>{messages.shapesMaps}</h3>
           <p class="hint">{apart}</p>
           {first}
         </>

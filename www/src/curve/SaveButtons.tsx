@@ -1,13 +1,14 @@
 import { Button } from "#ui/controls/Button";
 import css from "./curve.module.css";
+import * as messages from "./messages";
 import { KINDS, save } from "./save";
 
 /** The curve of this moment as a file. */
 export function SaveButtons() {
   return (
-    <section class="stack" aria-label="Save this moment">
+    <section class="stack" aria-label={messages.saveThisMoment}>
       <span class="row-name" aria-hidden="true">
-        Save this moment
+        {messages.saveThisMoment}
       </span>
       <div class={css["curve-kinds"]}>
         {KINDS.map(({ kind, about }) => (

@@ -11,6 +11,7 @@ import { ShapeGrid, type ShapeItem } from "#ui/shapes/ShapeGrid";
 import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import css from "./curve.module.css";
+import * as messages from "./messages";
 
 interface Item extends ShapeItem {
   shape: CurveShape;
@@ -23,9 +24,9 @@ function items(): Item[] {
     if (!shape || all.some((item) => item.shape.curve === shape.curve || item.id === shape.preset)) return;
     all.push({ id, name: shape.name, about, shape });
   };
-  add("fit", fitted(), "The fit that you made last.");
-  add("a", curves.peek()?.a, "Shape A as it stands.");
-  add("b", curves.peek()?.b, "Shape B as it stands.");
+  add("fit", fitted(), messages.yourLatestFit);
+  add("a", curves.peek()?.a, messages.shapeAsNow);
+  add("b", curves.peek()?.b, messages.shapeBAsNow);
   return all;
 }
 
@@ -75,25 +76,20 @@ export function Shelf({ end, onChosen }: ShelfProps) {
     if (end === "bent") bendCurve(shape);
     else chooseCurve(end, shape);
     tellReplaced(before, end);
-    announce(
-      end === "bent" ? `${name}, with the grid around it.` : `Shape ${end.toUpperCase()} is now ${name}.`,
-    );
+    announce(end === "bent" ? messages.withGrid(name) : messages.shapeNow(end.toUpperCase(), name));
     onChosen();
   };
   return (
     <section class={css["shelf"]} aria-labelledby={title}>
-      <h3 id={title}>Closed curves</h3>
+      <h3 id={title}>{messages.closedCurves}</h3>
       <p class="hint">
-        Outlines made of smaller copies of their own arcs. They stay closed and in one piece, whatever becomes
-        of them.
-        {!curved.peek() && end !== "bent" && (
-          <> They morph with outlines only, so an outline takes the place of the other shape.</>
-        )}
+        {messages.outlinesMadeSmallerCopies}
+        {!curved.peek() && end !== "bent" && <> {messages.outlinesMorphOnlyInto}</>}
       </p>
       <ShapeGrid
         presets={all}
         pictures={pictures}
-        noteOf={({ shape }) => `${shape.curve.knots.length} knots`}
+        noteOf={({ shape }) => messages.knots(shape.curve.knots.length)}
         chosen={all.find(({ shape, id }) => now && (id === now.preset || shape.curve === now.curve))?.id}
         onChoose={choose}
       />

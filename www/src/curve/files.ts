@@ -3,6 +3,7 @@ import { plainName } from "#ui/files/download";
 import { rounded, svgFile, tag } from "#ui/files/svg";
 import type { Bend, CurveShape } from "#wasm/api";
 import type { CurveMap } from "#wasm/curve";
+import * as messages from "./messages";
 
 interface Both {
   a: CurveShape;
@@ -83,8 +84,7 @@ export function jsonOf(what: {
     short(points[2 * i + 1]),
   ]);
   const document = {
-    about:
-      "A closed curve by Frond: at s it is on its way from a (0) to b (1). Maps are [a, b, c, d, e, f]: x' = a x + b y + e, y' = c x + d y + f, with y pointing up; each takes the arc of `span` edges from knot `from` on (from 0) to its edge.",
+    about: messages.closedCurveByFrond,
     s,
     a: end(curves.a, maps.a),
     b: end(curves.b, maps.b),

@@ -10,6 +10,7 @@ import type { Bend, Colouring } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import type { Drawer, FrameLook } from "#workers/film/subject";
 import { turn } from "#workers/film/turn";
+import * as messages from "./messages";
 
 export interface CurveMoment {
   /** On the way from one curve to the other, 0 to 1. */
@@ -32,7 +33,7 @@ export function curveDrawer(
   photographs: Photographs | null = null,
 ): Drawer {
   const now = curves.peek();
-  if (!now) throw new Error("There is no curve.");
+  if (!now) throw new Error(messages.thereNoCurve);
   const morph = new rough.CurveMorph(now.a.curve, now.a.curve === now.b.curve ? null : now.b.curve);
   const dark = isDark(ground);
   const carried = carriedOn(morph, photographs);

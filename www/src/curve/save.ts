@@ -16,14 +16,15 @@ import { GREY } from "#style/colours";
 import { download } from "#ui/files/download";
 import { rough } from "#wasm/curve";
 import { csvOf, jsonOf, nameOf, svgOf } from "./files";
+import * as messages from "./messages";
 
 export type Kind = "svg" | "png" | "csv" | "json";
 
 export const KINDS: readonly { kind: Kind; about: string }[] = [
-  { kind: "svg", about: "The outline as a path, for drawing programs and cutters" },
-  { kind: "png", about: "The picture as it stands on the stage, larger" },
-  { kind: "csv", about: "Points of the outline, x and y" },
-  { kind: "json", about: "Both curves with their knots and copies, and the outline between them" },
+  { kind: "svg", about: messages.outlineAsPathFor },
+  { kind: "png", about: messages.pictureOnStageLarger },
+  { kind: "csv", about: messages.pointsOutlineXAnd },
+  { kind: "json", about: messages.bothCurvesWithTheir },
 ];
 
 /** Points of a saved outline leave the curve by so much of its size. */
@@ -39,14 +40,14 @@ export async function save(kind: Kind): Promise<void> {
     const blob = kind === "png" ? await picture() : text(kind);
     download(blob, nameOf(curves.peek(), curveTime.peek(), kind));
   } catch (problem) {
-    notify({ kind: "error", text: `The curve could not be saved: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.curveFailed(wordsOf(problem)) });
   }
 }
 
 function text(kind: Exclude<Kind, "png">): Blob {
   const morph = curveMorph.peek();
   const now = curves.peek();
-  if (!morph || !now) throw new Error("There is no curve.");
+  if (!morph || !now) throw new Error(messages.thereNoCurve);
   const s = curveTime.peek();
   const [x0, y0, x1, y1] = morph.bounds(s);
   const size = Math.max(x1 - x0, y1 - y0);
@@ -55,7 +56,11 @@ function text(kind: Exclude<Kind, "png">): Blob {
   switch (kind) {
     case "svg": {
       const title =
-        s === 0 || sameCurves(now) ? now.a.name : s === 1 ? now.b.name : `${now.a.name} to ${now.b.name}`;
+        s === 0 || sameCurves(now)
+          ? now.a.name
+          : s === 1
+            ? now.b.name
+            : messages.fromTo(now.a.name, now.b.name);
       const colour = stageStyle.peek().palette[0] ?? GREY;
       return new Blob([svgOf(points, { title, colour })], { type: "image/svg+xml" });
     }
@@ -72,7 +77,7 @@ function text(kind: Exclude<Kind, "png">): Blob {
 
 async function picture(): Promise<Blob> {
   const morph = curveMorph.peek();
-  if (!morph) throw new Error("There is no curve.");
+  if (!morph) throw new Error(messages.thereNoCurve);
   const size = stageSize.peek();
   const larger = LONG_SIDE / Math.max(size.width, size.height, 1);
   const width = Math.max(1, Math.round(size.width * larger));

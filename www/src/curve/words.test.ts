@@ -22,19 +22,19 @@ describe("what is said of a curve", () => {
 
   it("tells how knots were brought together", () => {
     expect(matchWords(60, 64, 64)).toBe(
-      "60 knots of A become knots of B. 4 of one shape alone open from an edge or close into one.",
+      "60 knots of A become knots of B. The other 4 knots grow out of an edge or shrink into one.",
     );
     expect(matchWords(12, 12, 12)).toBe("12 knots of A become knots of B. Every knot has its partner.");
     expect(matchWords(12, 13, 13)).toBe(
-      "12 knots of A become knots of B. One of one shape alone opens from an edge or closes into one.",
+      "12 knots of A become knots of B. The other knot grows out of an edge or shrinks into one.",
     );
     // Refined so far that nothing can be said of partners.
-    expect(matchWords(10, 10, 30)).toBe("30 knots on the way.");
+    expect(matchWords(10, 10, 30)).toBe("30 knots during the morph.");
   });
 
   it("does not promise a way without crossings where there are some", () => {
     expect(wayWords(0)).toContain("nothing can come apart");
-    expect(wayWords(35)).toContain("crosses itself, 35 times where it does most");
+    expect(wayWords(35)).toContain("crosses itself 35 times");
     expect(wayWords(35)).not.toContain("nothing");
   });
 

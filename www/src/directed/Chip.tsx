@@ -7,6 +7,7 @@ import { EvidencePanel } from "#stage/evidence/Panel";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
 import css from "./directed.module.css";
 import { Answer, Remarks } from "./Found";
+import * as messages from "./messages";
 import { madeOf } from "./systems";
 
 const PANEL_ID = "directed-evidence";
@@ -30,26 +31,24 @@ export function DirectedEvidence() {
   const states = toldStates.value;
   const always = states[0]?.verdict === "connected" && answer?.states[0]?.verdict !== "connected";
   return (
-    <EvidencePanel id={PANEL_ID} chip={CHIP_ID} title="What is known of each state">
+    <EvidencePanel id={PANEL_ID} chip={CHIP_ID} title={messages.whatKnownAboutEach}>
       {answer === null && <p>{verdictPhrase(toldNow.value)}</p>}
-      {always ? (
-        <p>It is in one piece at every moment of this way: its pieces share points that never part.</p>
-      ) : (
-        <Answer of={answer?.states[0]} />
-      )}
+      {always ? <p>{messages.inOnePieceAt}</p> : <Answer of={answer?.states[0]} />}
       <ol class={css["states"]}>
         {states.slice(0, MOST_SHOWN).map((state, k) => (
           <li key={k}>
             <VerdictSign tone={verdictWords(state).tone} />
             <span>
-              State {k + 1}
-              {k === 0 && states.length > 1 && ", the shape"}: {verdictPhrase(state)}
+              {(k === 0 && states.length > 1 ? messages.shapeStateIs : messages.stateIs)(
+                k + 1,
+                verdictPhrase(state),
+              )}
               <small>{madeOf(answer?.system.states[k] ?? [])}</small>
             </span>
           </li>
         ))}
       </ol>
-      {states.length > MOST_SHOWN && <p class="hint">… and {states.length - MOST_SHOWN} more.</p>}
+      {states.length > MOST_SHOWN && <p class="hint">{messages.moreStates(states.length - MOST_SHOWN)}</p>}
       {answer && <Remarks {...answer.facts} />}
     </EvidencePanel>
   );

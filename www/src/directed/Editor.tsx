@@ -10,6 +10,7 @@ import { Problem } from "#ui/panel/Problem";
 import { MapList } from "#ui/shapes/MapList";
 import type { DirectedIfs, MapRow } from "#wasm/api";
 import css from "./editor.module.css";
+import * as messages from "./messages";
 import { doubled, extended, MOST, replaced, shortened, without } from "./systems";
 
 interface EditorProps {
@@ -42,7 +43,7 @@ export function Editor({ title, system, problem, onChange, onDone }: EditorProps
   return (
     <section
       class={css["editor"]}
-      {...(title === null ? { "aria-label": "States" } : { "aria-labelledby": heading })}
+      {...(title === null ? { "aria-label": messages.states } : { "aria-labelledby": heading })}
     >
       {title !== null && (
         <header class="section-head">
@@ -50,9 +51,9 @@ export function Editor({ title, system, problem, onChange, onDone }: EditorProps
         </header>
       )}
       <Problem words={problem} />
-      <StateChoice label="State" count={states.length} value={state} onChange={choose} />
+      <StateChoice label={messages.state} count={states.length} value={state} onChange={choose} />
       <MapList
-        maps={maps.map(({ from, map }) => `of state ${from + 1}, at (${fixed(map[4])}, ${fixed(map[5])})`)}
+        maps={maps.map(({ from, map }) => messages.mapsOfState(from + 1, fixed(map[4]), fixed(map[5])))}
         open={open}
         onOpen={setOpen}
         swatch={(index) => (
@@ -70,7 +71,7 @@ export function Editor({ title, system, problem, onChange, onDone }: EditorProps
           return (
             <div class={css["fields"]}>
               <StateChoice
-                label="Copies state"
+                label={messages.copiesState}
                 count={states.length}
                 value={part.from}
                 onChange={(from) => change({ ...part, from })}
@@ -78,7 +79,7 @@ export function Editor({ title, system, problem, onChange, onDone }: EditorProps
               {NAMES.map((name, k) => (
                 <NumberField
                   key={name}
-                  label={`Map ${index + 1}, ${name}`}
+                  label={messages.mapNamed(index + 1, name)}
                   symbol={name}
                   terse
                   value={part.map[k] ?? 0}
@@ -100,7 +101,7 @@ export function Editor({ title, system, problem, onChange, onDone }: EditorProps
                   setOpen(maps.length);
                 }}
               >
-                Duplicate
+                {messages.duplicate}
               </Button>
               <Button
                 icon="bin"
@@ -111,7 +112,7 @@ export function Editor({ title, system, problem, onChange, onDone }: EditorProps
                   setOpen(null);
                 }}
               >
-                Remove
+                {messages.remove}
               </Button>
             </div>
           );
@@ -125,7 +126,7 @@ export function Editor({ title, system, problem, onChange, onDone }: EditorProps
             choose(states.length);
           }}
         >
-          Add a state
+          {messages.addState}
         </Button>
         <Button
           disabled={states.length < 2}
@@ -134,7 +135,7 @@ export function Editor({ title, system, problem, onChange, onDone }: EditorProps
             choose(Math.max(0, states.length - 2));
           }}
         >
-          Remove the last state
+          {messages.removeLastState}
         </Button>
       </div>
     </section>

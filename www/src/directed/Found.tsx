@@ -1,37 +1,21 @@
 import type { DirectedCertificate, DirectedFacts, DirectedMatch, StateConnectedness } from "#wasm/api";
+import * as messages from "./messages";
 import { wayWords } from "./words";
 
 /** What is known of the shape that is drawn. */
 export function Answer({ of: state }: { of: StateConnectedness | undefined }) {
   const [link] = state?.links ?? [];
   if (!state || state.verdict === "disconnected") return null;
-  const points = `Its pieces share ${state.links.length === 1 ? "a point" : `${state.links.length} points`} that are checked without rounding`;
   if (state.verdict === "connected" && link) {
-    return (
-      <p>
-        {points}: the first is reached by the maps {link.words[0]} and by {link.words[1]}. All that it is made
-        of holds together in the same way, and so it is in one piece.
-      </p>
-    );
+    return <p>{messages.sharedPoints(state.links.length, link.words[0], link.words[1])}</p>;
   }
   if (state.assuming.length > 0) {
-    const more = state.assuming.length > 1 ? ", and others" : "";
-    return (
-      <p>
-        It would be proved to be in one piece if its numbers were those that they come near:{" "}
-        {state.assuming[0]}
-        {more}.
-      </p>
-    );
+    const more = state.assuming.length > 1 ? messages.andOthers : "";
+    return <p>{messages.ifDecimals(state.assuming[0] ?? "", more)}</p>;
   }
   if (state.openBy.length > 0) {
     const names = state.openBy.map((k) => k + 1).join(", ");
-    return (
-      <p>
-        Its own pieces hold together, but some are copies of state {names}, which may not: so it stays open.
-        What is in pieces itself can still be held together by what lies beside it.
-      </p>
-    );
+    return <p>{messages.openStates(names)}</p>;
   }
   return null;
 }
@@ -52,12 +36,7 @@ export function Way({ match, proof, apart = null, ended = false }: WayProps) {
       {match?.steps.map((step) => (
         <p key={step}>{step}</p>
       ))}
-      {match && match.states.length > 1 && (
-        <p>
-          On the way it has {match.states.length} states of its own, each made of one from either end: the
-          ends may have more or fewer.
-        </p>
-      )}
+      {match && match.states.length > 1 && <p>{messages.pairedStates(match.states.length)}</p>}
       {match && <p role="status">{wayWords({ proof, apart, ended })}</p>}
     </>
   );
@@ -71,12 +50,7 @@ export function Remarks({ unreached, neverReturn }: Pick<DirectedFacts, "unreach
     <>
       <Unseen unreached={unreached} />
       {passing.length > 0 && (
-        <p class="hint">
-          {passing.length === 1 ? "State" : "States"} {passing.map((state) => state + 1).join(", ")} never{" "}
-          {passing.length === 1 ? "comes back to itself" : "come back to themselves"}: a union of copies of
-          other states, no more. To make it a fractal of its own, let a map copy it, or a state that is made
-          of it.
-        </p>
+        <p class="hint">{messages.neverReturn(passing.map((state) => String(state + 1)))}</p>
       )}
     </>
   );
@@ -84,12 +58,5 @@ export function Remarks({ unreached, neverReturn }: Pick<DirectedFacts, "unreach
 
 function Unseen({ unreached }: { unreached: readonly number[] }) {
   if (unreached.length === 0) return null;
-  const names = unreached.map((state) => state + 1).join(", ");
-  const [are, them] = unreached.length === 1 ? ["it is", "it"] : ["they are", "them"];
-  return (
-    <p class="hint">
-      The shape is not made of state {names}: {are} not seen in it. Let a map copy {them}, or leave {them}{" "}
-      out.
-    </p>
-  );
+  return <p class="hint">{messages.unused(unreached.map((state) => String(state + 1)))}</p>;
 }

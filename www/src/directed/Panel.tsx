@@ -25,6 +25,7 @@ import css from "./directed.module.css";
 import { Editor } from "./Editor";
 import { Way } from "./Found";
 import { DirectedMap } from "./map/Map";
+import * as messages from "./messages";
 import { save } from "./save";
 import { DirectedThumb } from "./Thumb";
 import { sizeWords, stateWords } from "./words";
@@ -41,13 +42,13 @@ export function DirectedPanel({ choose }: DirectedPanelProps) {
   const open = editing && directedShapes.value?.[editing];
   return (
     <>
-      <section class={endsCss["ends"]} aria-label="The two shapes">
+      <section class={endsCss["ends"]} aria-label={messages.twoShapes}>
         <Card end="a" editing={editing === "a"} onEdit={toggle} choose={choose} />
         <SwapEnds
           onSwap={() => {
             edit(swapDirected);
             const now = scene.peek().directed;
-            if (now) announce(`Swapped: from ${now.a.name} to ${now.b.name}.`);
+            if (now) announce(messages.swapped(now.a.name, now.b.name));
           }}
         />
         <Card end="b" editing={editing === "b"} onEdit={toggle} choose={choose} />
@@ -55,7 +56,7 @@ export function DirectedPanel({ choose }: DirectedPanelProps) {
       {editing && open && (
         <Editor
           key={editing}
-          title={`The states of ${editing.toUpperCase()}`}
+          title={messages.statesOf(editing.toUpperCase())}
           system={open}
           problem={directedProblem.value}
           onChange={({ states }, field) =>
@@ -70,13 +71,10 @@ export function DirectedPanel({ choose }: DirectedPanelProps) {
       <OnTheWay />
       {mapped.value && <DirectedMap />}
       <Look />
-      <section class="stack" aria-label="Save this shape">
+      <section class="stack" aria-label={messages.saveThisShape}>
         <div class={css["files"]}>
-          <Button
-            description="The document, with both shapes, their states and maps: it opens again"
-            onClick={save}
-          >
-            Save as JSON
+          <Button description={messages.documentWithBothShapes} onClick={save}>
+            {messages.saveAsJson}
           </Button>
           <BackToSystems />
         </div>
@@ -108,29 +106,29 @@ function Card({ end, editing, onEdit, choose }: CardProps) {
       <IconButton
         kind="quiet"
         icon="edit"
-        label={`Edit the states of ${upper}`}
+        label={messages.editStates(upper)}
         pressed={editing}
         onClick={() => onEdit(end)}
       />
       <Menu
-        label={`More for shape ${upper}`}
+        label={messages.moreFor(upper)}
         items={[
-          { label: "Choose another …", icon: "grid", onSelect: () => choose(end) },
+          { label: messages.chooseAnother, icon: "grid", onSelect: () => choose(end) },
           {
-            label: "Keep this shape",
+            label: messages.saveThisShape,
             icon: "check",
             onSelect: async () => {
               const { keepDirected } = await import("#document/own-shapes");
-              const text = keepDirected(shape) ?? `${shape.name} is kept: it is in the gallery, under Yours.`;
+              const text = keepDirected(shape) ?? messages.isKept(shape.name);
               notify({ kind: "info", text });
             },
           },
           {
-            label: `Use as ${other} too`,
+            label: messages.alsoAs(other),
             icon: "copy",
             onSelect: () => {
               edit((before) => directedAtBoth(before, end));
-              announce(`${shape.name} is now at both ends.`);
+              announce(messages.bothShapes(shape.name));
             },
           },
         ]}
@@ -168,18 +166,14 @@ function OnTheWay() {
   return (
     <section class="stack" aria-labelledby="directed-way">
       <header class="section-head">
-        <h2 id="directed-way">Shapes of several states</h2>
+        <h2 id="directed-way">{messages.shapesSeveralStates}</h2>
       </header>
-      <p class="hint">
-        {same.value
-          ? "Both ends are the same shape: choose another for one of them to have a morph."
-          : "Each state is made of copies of states. On the way each map of a state becomes a map of another, and so does what they copy. The way goes straight through the map below."}
-      </p>
+      <p class="hint">{same.value ? messages.bothEndsSameShape : messages.eachStateMadeCopies}</p>
       {!same.value && <Problem words={facts?.problem ?? null} />}
       {facts?.problem != null && outlines.value && (
         <div class="row">
-          <p>Both are outlines, which morph with each other as closed curves.</p>
-          <Button onClick={() => void asClosedCurves()}>As closed curves</Button>
+          <p>{messages.bothOutlinesSoThey}</p>
+          <Button onClick={() => void asClosedCurves()}>{messages.asClosedCurves}</Button>
         </div>
       )}
       {!same.value && facts?.match && (
@@ -190,14 +184,16 @@ function OnTheWay() {
           )}
           {helped.value && doubtful(facts, apartAt.value) && (
             <div class="row">
-              <p>The fern “Frond” stays in one piece all the way, proved.</p>
-              <Button onClick={() => void plantInstead()}>Take “Frond”</Button>
+              <p>{messages.provedFernFrondStays}</p>
+              <Button onClick={() => void plantInstead()}>{messages.useFrond}</Button>
             </div>
           )}
           {facts.linear && (
             <div class="row">
-              <p>Number by number it stays in one piece all the way, proved.</p>
-              <Button onClick={() => edit((before) => ({ ...before, mode: "linear" }))}>Go linear</Button>
+              <p>{messages.provedBlendedEntryBy}</p>
+              <Button onClick={() => edit((before) => ({ ...before, mode: "linear" }))}>
+                {messages.blendEntryByEntry}
+              </Button>
             </div>
           )}
         </div>
@@ -207,9 +203,9 @@ function OnTheWay() {
 }
 
 const HALF_TURNS: readonly { value: HalfTurns; label: string; description: string }[] = [
-  { value: "signs", label: "By eq. 6", description: "As the signs of the angles have it in the paper" },
-  { value: "counterclockwise", label: "Left", description: "Counter-clockwise, all of them" },
-  { value: "clockwise", label: "Right", description: "Clockwise, all of them" },
+  { value: "signs", label: messages.byEq6, description: messages.bySignsAnglesAs },
+  { value: "counterclockwise", label: messages.left, description: messages.allCounterClockwise },
+  { value: "clockwise", label: messages.right, description: messages.allClockwise },
 ];
 const halfTurns = computed(() => scene.value.directed?.halfTurns ?? "signs");
 
@@ -217,11 +213,9 @@ const halfTurns = computed(() => scene.value.directed?.halfTurns ?? "signs");
 function HalfTurnsChoice({ maps }: { maps: number }) {
   return (
     <>
-      <p>
-        {maps === 1 ? "1 map makes" : `${maps} maps make`} exactly half a turn, which is as short either way.
-      </p>
+      <p>{messages.halfTurnsOf(maps)}</p>
       <ChoiceRow
-        label="Half turns"
+        label={messages.halfTurns}
         value={halfTurns.value}
         options={HALF_TURNS}
         onChange={(next) => edit((before) => withHalfTurns(before, next))}
@@ -233,34 +227,34 @@ function HalfTurnsChoice({ maps }: { maps: number }) {
 const MODES: readonly { value: Mode; label: string; description: string }[] = [
   {
     value: "polar",
-    label: "Turning",
-    description: "Polar: each map turns and stretches on its own, so pieces keep their size",
+    label: messages.byRotation,
+    description: messages.polarEachMapRotates,
   },
-  { value: "linear", label: "Linear", description: "Number by number: ends that meet stay together" },
+  { value: "linear", label: messages.entryByEntry, description: messages.linearMatrixEntriesBlended },
 ];
 const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [
-  { value: "map", label: "Map", description: "One colour for each map of the shape" },
+  { value: "map", label: messages.map, description: messages.oneColourForEach },
   {
     value: "address",
-    label: "State",
-    description: "One colour for each state that is copied after three maps",
+    label: messages.state,
+    description: messages.oneColourForEachState,
   },
-  { value: "density", label: "Plain", description: "One colour" },
+  { value: "density", label: messages.plain, description: messages.oneColour },
 ];
 const mode = computed(() => scene.value.mode);
 const colouring = computed(() => (scene.value.colouring === "grid" ? "density" : scene.value.colouring));
 
 function Look() {
   return (
-    <section class="stack" aria-label="Motion and colour">
+    <section class="stack" aria-label={messages.motionAndColour}>
       <ChoiceRow
-        label="Motion"
+        label={messages.blendMaps}
         value={mode.value}
         options={MODES}
         onChange={(next) => edit((before) => ({ ...before, mode: next }))}
       />
       <ChoiceRow
-        label="Colour by"
+        label={messages.colourBy}
         value={colouring.value}
         options={COLOURINGS}
         onChange={(next) => edit((before) => ({ ...before, colouring: next }))}

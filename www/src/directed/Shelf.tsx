@@ -14,13 +14,14 @@ import { loadCurves } from "#wasm/curve";
 import { loadDirected } from "#wasm/directed";
 import { type DirectedChoice, directedChoices } from "./choices";
 import css from "./directed.module.css";
+import * as messages from "./messages";
 import { stateWords } from "./words";
 
 const SIZE: PictureSize = { width: 160, height: 120 };
 
 const MORPHS = {
-  outline: "They morph with shapes of maps and with each other; outlines, only edge by edge.",
-  other: "The other shape stays what it is, and the morph goes between both.",
+  outline: messages.theyMorphIntoShapes,
+  other: messages.otherShapeStaysAnd,
 };
 
 interface ShelfProps {
@@ -69,7 +70,7 @@ export function DirectedShelf({ end, onChosen }: ShelfProps) {
     const before = scene.peek();
     const chosen = () => {
       tellReplaced(before, end);
-      announce(`Shape ${end.toUpperCase()} is now ${name}.`);
+      announce(messages.shapeNow(end.toUpperCase(), name));
     };
     if (outline) void chooseOutline(end, outline).then((done) => done && chosen());
     else {
@@ -87,11 +88,11 @@ export function DirectedShelf({ end, onChosen }: ShelfProps) {
       // While nothing in it can be walked to, it can itself, and so comes into sight.
       tabIndex={pictures.size > 0 ? -1 : 0}
     >
-      <h3 id={title}>Shapes of several states</h3>
+      <h3 id={title}>{messages.shapesSeveralStates}</h3>
       <p class="hint">
         {problem === null
-          ? `Graph-directed: each state is made of copies of states. ${MORPHS[scene.value.curves ? "outline" : "other"]}`
-          : `They could not be loaded: ${problem}`}
+          ? messages.aboutShelf(MORPHS[scene.value.curves ? "outline" : "other"])
+          : messages.notLoaded(problem)}
       </p>
       <ShapeGrid
         presets={presets.filter(({ id }) => pictures.has(id))}

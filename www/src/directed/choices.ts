@@ -1,6 +1,7 @@
 /** Graph-directed shapes to choose from: those of the gallery, and outlines edge by edge. */
 import type { CurvePreset, CurveShape, DirectedPreset } from "#wasm/api";
 import { directed } from "#wasm/directed";
+import * as messages from "./messages";
 
 /** A shape to choose; an outline is placed beside the other end once it is chosen. */
 export interface DirectedChoice extends DirectedPreset {
@@ -29,8 +30,8 @@ function edgewise(id: string, shape: CurveShape): DirectedChoice | null {
     const { states } = directed.outlineShape(shape.name, shape.curve, [-0.5, 0, 0.5, 1]);
     return {
       id: `${EDGES}${id}`,
-      name: `${shape.name}, edge by edge`,
-      about: `${shape.name}, each edge a state or a segment: a fern becomes it in one piece.`,
+      name: messages.edgeByEdge(shape.name),
+      about: messages.edgeStates(shape.name),
       system: { states },
       outline: shape,
     };

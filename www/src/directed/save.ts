@@ -5,6 +5,7 @@ import { scene } from "#document/scene";
 import { answerNow, isStale } from "#stage/directed/known";
 import { download, plainName } from "#ui/files/download";
 import { jsonOf } from "./files";
+import * as messages from "./messages";
 
 /** Both shapes, and what stands on the stage where that is known. */
 export function save(): void {
@@ -15,6 +16,6 @@ export function save(): void {
     const name = [shapes.a, shapes.b].map((shape) => plainName(shape.name, "shape", 24)).join("-");
     download(new Blob([jsonOf(scene.peek(), now)], { type: "application/json" }), `frond-${name}.json`);
   } catch (problem) {
-    notify({ kind: "error", text: `The shapes could not be saved: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.notSaved(wordsOf(problem)) });
   }
 }

@@ -1,5 +1,6 @@
 /** Graph-directed systems as they are edited: every change is a function from one to the next. */
 import type { DirectedIfs, DirectedMap } from "#wasm/api";
+import * as messages from "./messages";
 
 /** As many states as there may be, and maps of each. */
 export const MOST = 64;
@@ -52,6 +53,6 @@ export function madeOf(maps: readonly DirectedMap[]): string {
   for (const { from } of maps) counts.set(from, (counts.get(from) ?? 0) + 1);
   return [...counts]
     .sort(([p], [q]) => p - q)
-    .map(([from, count]) => `${count === 1 ? "1 copy" : `${count} copies`} of state ${from + 1}`)
+    .map(([from, count]) => messages.copiesOf(count, from + 1))
     .join(", ");
 }

@@ -2,17 +2,18 @@
 import { percent } from "#format/path-words";
 import { OWN_BOUNDS, resolutionWords } from "#format/verdict";
 import type { DirectedCertificate, DirectedIfs } from "#wasm/api";
+import * as messages from "./messages";
 
 /** How much a shape is made of: "2 states, 7 maps". A system of maps has one state, of which nothing is said. */
 export function sizeWords({ states }: DirectedIfs): string {
   const maps = states.reduce((sum, state) => sum + state.length, 0);
   const words = `${maps} ${maps === 1 ? "map" : "maps"}`;
-  return states.length === 1 ? words : `${states.length} states, ${words}`;
+  return states.length === 1 ? words : messages.statesAnd(states.length, words);
 }
 
 /** The same as short as a card has room for. */
 export function stateWords({ states }: DirectedIfs): string {
-  return states.length === 1 ? "1 state" : `${states.length} states`;
+  return states.length === 1 ? "1 state" : messages.stateCount(states.length);
 }
 
 interface WayKnown {
@@ -27,18 +28,15 @@ interface WayKnown {
 export function wayWords({ proof, apart, ended }: WayKnown): string {
   const first = proof?.states[0];
   if (first?.kind === "connected") {
-    const assuming = proof && proof.assuming.length > 0 ? `, if ${proof.assuming[0]} and so on` : "";
-    return `The shape is in one piece at every moment of the way, proved${assuming}: its pieces share points that never part.`;
+    const assuming = proof && proof.assuming.length > 0 ? messages.assuming(proof.assuming[0] ?? "") : "";
+    return messages.provedThroughout(assuming);
   }
   if (first?.kind === "within") {
-    return `At every moment of the way its pieces, and theirs, are held together by gaps of at most ${resolutionWords(first.gap)} of their size. This was found at ${proof?.moments} moments, with bounds of what changes between them.`;
+    return messages.gapsAtMost(resolutionWords(first.gap), proof?.moments ?? 0);
   }
-  if (apart !== null)
-    return `It falls apart on this way: at ${percent(apart)} it is in pieces, ${OWN_BOUNDS}.`;
+  if (apart !== null) return messages.fallsApart(percent(apart), OWN_BOUNDS);
   if (first?.kind === "open") {
-    return `There is no proof that it stays in one piece all the way: what was looked for is lost at ${percent(first.at)}.`;
+    return messages.noProofPast(percent(first.at));
   }
-  return ended
-    ? "No proof about every moment of the way was found in the time that there is for it."
-    : "Looking for a proof about every moment of the way …";
+  return ended ? messages.frondFoundNoProof : messages.searchingForProofFor;
 }

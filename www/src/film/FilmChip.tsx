@@ -4,6 +4,7 @@ import { Button, IconButton } from "#ui/controls/Button";
 import css from "./film.module.css";
 import { besideIt, isBackAtChip, leaveChip } from "./focus";
 import { cancel, job, made } from "./job";
+import * as messages from "./messages";
 import { filmUnseen, openFilm } from "./open";
 import { timeWords } from "./plan";
 
@@ -17,42 +18,42 @@ export function FilmChip() {
   if (now) {
     const { done, of, left, name } = now;
     return (
-      <section class={css["film-chip"]} aria-label="The film in the making" title={name}>
+      <section class={css["film-chip"]} aria-label={messages.filmInProgress} title={name}>
         <Button
           kind="quiet"
           icon="play"
-          description="Watch the film being made"
+          description={messages.watchFilmWhileRenders}
           buttonRef={opener}
           onClick={open}
         >
           <span class={css["film-chip-words"]}>
-            Film <span class="number">{Math.floor((100 * done) / Math.max(1, of))}%</span>
+            {messages.film} <span class="number">{Math.floor((100 * done) / Math.max(1, of))}%</span>
           </span>
         </Button>
         <progress
           class="progress"
           max={of}
           value={done}
-          aria-label="Frames made"
-          title={left === null ? "" : `About ${timeWords(left)} left`}
+          aria-label={messages.framesRendered}
+          title={left === null ? "" : messages.leftIs(timeWords(left))}
         />
-        <IconButton icon="close" kind="quiet" label="Cancel the film" onClick={gone(cancel)} />
+        <IconButton icon="close" kind="quiet" label={messages.cancelFilm} onClick={gone(cancel)} />
       </section>
     );
   }
   if (!made.value || !filmUnseen.value) return null;
   return (
-    <section class={css["film-chip"]} aria-label="The film" title={made.value.name}>
+    <section class={css["film-chip"]} aria-label={messages.film2} title={made.value.name}>
       <span class={css["film-chip-words"]} role="status">
-        The film is in your downloads.
+        {messages.filmInYourDownloads}
       </span>
       <Button kind="quiet" class={css["film-chip-open"]} buttonRef={opener} onClick={open}>
-        Open
+        {messages.open}
       </Button>
       <IconButton
         icon="close"
         kind="quiet"
-        label="Dismiss"
+        label={messages.dismiss}
         onClick={gone(() => {
           filmUnseen.value = false;
         })}

@@ -6,6 +6,7 @@ import { Finished } from "./Finished";
 import css from "./film.module.css";
 import { besideChip, headingIfLost } from "./focus";
 import { job, made } from "./job";
+import * as messages from "./messages";
 import { exportOpen } from "./open";
 import { isFilm } from "./plan";
 import { Running } from "./Running";
@@ -23,7 +24,7 @@ const close = () => {
  */
 export function FilmDialog({ films }: { films: (() => Promise<Films>) | undefined }) {
   return (
-    <Dialog title="Export" about={about()} onClose={close} back={besideChip} wide>
+    <Dialog title={messages.exportLabel} about={about()} onClose={close} back={besideChip} wide>
       {job.value ? (
         <Running job={job.value} />
       ) : made.value ? (
@@ -39,19 +40,13 @@ export function FilmDialog({ films }: { films: (() => Promise<Films>) | undefine
 
 function Without() {
   useLayoutEffect(headingIfLost, []);
-  return (
-    <p class={css["export-nothing"]}>
-      There is nothing to film here. Open Morph, Deform or Space, and make the film there.
-    </p>
-  );
+  return <p class={css["export-nothing"]}>{messages.nothingHereCanFilmed}</p>;
 }
 
 function about(): string {
-  if (job.value) return "You can close this and go on working. The header shows how far it is.";
-  if (made.value) return "It is in your downloads.";
-  return isFilm(plan.value.kind)
-    ? "Every frame is complete, however long that takes."
-    : "Numbers, not pixels: each frame is a set of parameters.";
+  if (job.value) return messages.youCanCloseThis;
+  if (made.value) return messages.inYourDownloads;
+  return isFilm(plan.value.kind) ? messages.everyFrameCompleteHowever : messages.numbersInsteadPixelsEach;
 }
 
 function Choose({ films }: { films: () => Promise<Films> }) {
@@ -68,7 +63,7 @@ function Choose({ films }: { films: () => Promise<Films> }) {
   useLayoutEffect(() => {
     if (found) headingIfLost();
   }, [found]);
-  if (!found) return <p class={css["export-nothing"]}>Getting ready …</p>;
+  if (!found) return <p class={css["export-nothing"]}>{messages.preparing}</p>;
   if ("problem" in found) return <p class={css["export-problem"]}>{found.problem}</p>;
   if (subject.value) return <Settings of={subject.value} />;
   const { nothing } = found;

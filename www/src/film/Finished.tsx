@@ -3,6 +3,7 @@ import { Button } from "#ui/controls/Button";
 import css from "./film.module.css";
 import { useFocusIfLost } from "./focus";
 import { forget, type Made, save } from "./job";
+import * as messages from "./messages";
 import { bytesWords, grouped, isVideo } from "./plan";
 
 /** What was made, to look at and to save once more. */
@@ -25,31 +26,30 @@ export function Finished({ made }: { made: Made }) {
           controls
           loop
           playsInline
-          aria-label="The film"
+          aria-label={messages.film2}
         />
       )}
       {(plan.kind === "gif" || plan.kind === "apng") && (
-        <img class={css["export-picture"]} src={url} style={ratio} alt="The film" />
+        <img class={css["export-picture"]} src={url} style={ratio} alt={messages.film2} />
       )}
       <p class={css["export-made"]}>
         <strong>{name}</strong>
         <span class="hint">
           {bytesWords(blob.size)}
-          {frames > 0 && `, ${grouped(frames)} frames`}
+          {frames > 0 && messages.frameAside(grouped(frames))}
         </span>
       </p>
       {missing > 0 && (
         <p class="hint" role="status">
-          {grouped(missing)} {missing === 1 ? "moment has" : "moments have"} no attractor: there the frame
-          before stands still.
+          {messages.withoutAttractor(missing)}
         </p>
       )}
       <footer class={css["export-foot"]}>
         <Button kind="quiet" onClick={forget}>
-          Make another
+          {messages.makeAnother}
         </Button>
         <Button icon="save" buttonRef={again} onClick={() => save(made)}>
-          Save again
+          {messages.saveAgain}
         </Button>
       </footer>
     </div>

@@ -2,6 +2,7 @@ import { NIGHT, PAPER } from "#style/colours";
 import { ownFrom } from "#style/ground";
 import { Select } from "#ui/controls/Select";
 import css from "./film.module.css";
+import * as messages from "./messages";
 
 interface GroundProps {
   of: { ground: string | null; clear: boolean };
@@ -17,7 +18,7 @@ export function Ground({ of: { ground, clear }, stage, canBeClear, choose }: Gro
   const value = clear && canBeClear ? "clear" : named;
   return (
     <label class={css["export-size"]}>
-      <span class="field-label">Background</span>
+      <span class="field-label">{messages.background}</span>
       <Select
         value={value}
         onChange={(event) => {
@@ -32,17 +33,17 @@ export function Ground({ of: { ground, clear }, stage, canBeClear, choose }: Gro
           else choose({ clear: false, ground: colours[next] ?? null });
         }}
       >
-        <option value="stage">As it is here</option>
-        <option value="paper">Paper</option>
-        <option value="night">Night</option>
-        <option value="own">Your own</option>
-        {canBeClear && <option value="clear">None, clear</option>}
+        <option value="stage">{messages.asHere}</option>
+        <option value="paper">{messages.paper}</option>
+        <option value="night">{messages.night}</option>
+        <option value="own">{messages.custom}</option>
+        {canBeClear && <option value="clear">{messages.transparent}</option>}
       </Select>
       {value === "own" && (
         <input
           type="color"
           class={css["ground-colour"]}
-          aria-label="Colour of the background"
+          aria-label={messages.backgroundColour}
           value={ground ?? stage}
           onInput={(event) => choose({ ground: event.currentTarget.value })}
         />

@@ -4,6 +4,7 @@ import { Button } from "#ui/controls/Button";
 import css from "./film.module.css";
 import { useFocusIfLost } from "./focus";
 import { cancel, type Job } from "./job";
+import * as messages from "./messages";
 import { Picture } from "./Preview";
 import { grouped, isFilm, timeWords } from "./plan";
 
@@ -14,22 +15,24 @@ export function Running({ job }: { job: Job }) {
   const { plan, done, of, left, preview } = job;
   const words =
     done === 0
-      ? "Getting ready …"
-      : `${grouped(done)} of ${grouped(of)} frames${left === null ? "" : `, about ${timeWords(left)} left`}`;
+      ? messages.preparing
+      : left === null
+        ? messages.framesDone(grouped(done), grouped(of))
+        : messages.framesDoneLeft(grouped(done), grouped(of), timeWords(left));
   return (
     <div class={css["export-running"]}>
       {isFilm(plan.kind) && (
         <Picture
           image={preview}
-          label={preview ? `Frame ${done}` : "No frame yet"}
+          label={preview ? messages.frameNumber(done) : messages.noFrameYet}
           ratio={plan.width / plan.height}
         />
       )}
-      <progress class="progress" max={of} value={done} aria-label="Frames made" />
+      <progress class="progress" max={of} value={done} aria-label={messages.framesRendered} />
       <footer class={css["export-foot"]}>
         <p class="hint number">{words}</p>
         <Button buttonRef={button} onClick={cancel}>
-          Cancel
+          {messages.cancel}
         </Button>
       </footer>
     </div>

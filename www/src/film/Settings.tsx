@@ -12,6 +12,7 @@ import css from "./film.module.css";
 import { useFocusIfLost } from "./focus";
 import { Ground } from "./Ground";
 import { make } from "./job";
+import * as messages from "./messages";
 import { Picture } from "./Preview";
 import {
   bytesWords,
@@ -19,7 +20,6 @@ import {
   filmBytes,
   filmSeconds,
   frameCount,
-  grouped,
   isFilm,
   isVideo,
   type Kind,
@@ -51,53 +51,53 @@ import {
 import type { FilmSubject, Numbers } from "./subject";
 
 const QUALITIES = [
-  { value: "small", label: "Small" },
-  { value: "good", label: "Good" },
-  { value: "best", label: "Best" },
+  { value: "small", label: messages.small },
+  { value: "good", label: messages.good },
+  { value: "best", label: messages.best },
 ] as const;
 
 const ENDS: readonly { value: Repeat; label: string; description: string }[] = [
-  { value: "once", label: "Once", description: "It stops at its end" },
+  { value: "once", label: messages.none, description: messages.stopsAtEnd },
   {
     value: "round",
-    label: "Round",
-    description: "It begins again without a jump, where it ends as it began",
+    label: messages.restart,
+    description: messages.startsAgainWithoutJump,
   },
   {
     value: "pingpong",
-    label: "To and fro",
-    description: "It goes back the way it came: a loop without a jump",
+    label: messages.backAndForth,
+    description: messages.playsInReverseFrom,
   },
 ];
 
 const EASINGS: readonly { value: Easing; label: string; description: string }[] = [
-  { value: "linear", label: "Linear", description: "At the same speed all the way" },
+  { value: "linear", label: messages.linear, description: messages.sameSpeedThroughout },
   {
     value: "ease",
-    label: "Ease in and out",
-    description: "It starts gently, and slows down before it stops",
+    label: messages.easeInAndOut,
+    description: messages.startsSlowlyAndSlows,
   },
 ];
 
 const CHROMAS = [
-  { value: "420", label: "4:2:0", description: "Four pixels share one colour: plays almost everywhere" },
-  { value: "444", label: "4:4:4", description: "Every pixel has its own colour: crisp edges" },
+  { value: "420", label: "4:2:0", description: messages.fourPixelsShareOne },
+  { value: "444", label: "4:4:4", description: messages.everyPixelHasOwn },
 ] as const;
 
 const SAMPLES: readonly { value: `${Plan["samples"]}`; label: string; description: string }[] = [
-  { value: "1", label: "1", description: "Jagged edges, soon made" },
-  { value: "4", label: "2 × 2", description: "Smooth edges" },
-  { value: "16", label: "4 × 4", description: "The smoothest edges, in about four times the time" },
+  { value: "1", label: "1", description: messages.jaggedEdgesFastest },
+  { value: "4", label: "2 × 2", description: messages.smoothEdges },
+  { value: "16", label: "4 × 4", description: messages.smoothestEdgesInAbout },
 ];
 
 const DITHERS = [
   {
     value: "auto",
-    label: "Auto",
-    description: "Only where the film has more shades than 256 colours show well",
+    label: messages.auto,
+    description: messages.onlyWhereFilmHas,
   },
-  { value: "on", label: "On", description: "Mixes colours from dots: smoother shades, and a larger file" },
-  { value: "off", label: "Off", description: "Flat colours, and a smaller file" },
+  { value: "on", label: messages.on, description: messages.mixesColoursWithDots },
+  { value: "off", label: messages.off, description: messages.flatColoursSmallerFile },
 ] as const;
 
 /** What is chosen of a subject, and the first frame beside it. */
@@ -131,7 +131,7 @@ export function Settings({ of: subject }: { of: FilmSubject }) {
       </div>
       {film && (
         <div class={css["export-preview"]}>
-          <Picture image={preview.image} label="The first frame" ratio={width / height} />
+          <Picture image={preview.image} label={messages.firstFrame} ratio={width / height} />
         </div>
       )}
       {film && (
@@ -154,7 +154,7 @@ export function Settings({ of: subject }: { of: FilmSubject }) {
           disabled={problem !== null}
           onClick={() => void make(subject, now)}
         >
-          {film ? "Make the film" : "Save"}
+          {film ? messages.renderFilm : messages.save}
         </Button>
       </footer>
     </div>
@@ -166,7 +166,7 @@ function Subjects({ of: subject }: { of: FilmSubject }) {
   if (subjects.value.length < 2) return null;
   return (
     <Segmented
-      label="What is filmed"
+      label={messages.film3}
       options={subjects.value.map(({ id, label }) => ({ value: id, label }))}
       value={subject.id}
       onChange={pick}
@@ -189,23 +189,21 @@ function Kinds({ numbers }: { numbers: Numbers | undefined }) {
   return (
     <>
       <Segmented<Kind>
-        label="Kind of file"
+        label={messages.format}
         options={[
-          option("mp4", "MP4", "A video that plays almost everywhere"),
-          option("webm", "WebM", "A video for the web, clear where it may be"),
-          option("gif", "GIF", "A moving picture of 256 colours, for messages and old programs"),
-          option("apng", "APNG", "A moving picture in all colours, clear where it may be"),
-          option("zip", "Frames", "Every frame as a PNG, in one ZIP file"),
-          ...(numbers ? [option("frames", "JSON", "Numbers: parameters, not pixels")] : []),
+          option("mp4", "MP4", messages.videoPlaysAlmostEverywhere),
+          option("webm", "WebM", messages.videoForWebWith),
+          option("gif", "GIF", messages.animationIn256Colours),
+          option("apng", "APNG", messages.animationInFullColour),
+          option("zip", messages.frames, messages.everyFrameAsPng),
+          ...(numbers ? [option("frames", "JSON", messages.numbersParametersNotPixels)] : []),
         ]}
         value={kind === "keys" ? "frames" : kind}
         onChange={(next) => choose({ kind: next })}
       />
       {missing.length > 0 && (
         <p class="hint" role="status">
-          {none
-            ? "This browser has no WebCodecs, so it cannot write videos. The other kinds stay."
-            : `This browser cannot write ${missing.join(" or ")} at this size.`}
+          {none ? messages.thisBrowserHasNo : messages.cannotWrite(missing.join(" or "))}
         </p>
       )}
     </>
@@ -219,7 +217,7 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
       {subject.seeds && <SeedField of={subject.seeds} />}
       <SizeFields width={width} height={height} sizes={SIZES} most={MOST_SIDE} step={2} choose={choose}>
         <NumberField
-          label="Frames a second"
+          label={messages.framesPerSecond}
           value={fps}
           min={LEAST_FPS}
           max={mostFps(kind)}
@@ -229,7 +227,7 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
         />
         {subject.anyLength && (
           <NumberField
-            label="Length"
+            label={messages.length}
             value={subject.seconds}
             min={0.5}
             max={MOST_SECONDS}
@@ -242,7 +240,7 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
       </SizeFields>
       {subject.loops.length > 1 && (
         <ChoiceRow
-          label="At the end"
+          label={messages.loop}
           options={ENDS.filter(({ value }) => subject.loops.includes(value))}
           value={loop.value}
           onChange={chooseLoop}
@@ -250,7 +248,7 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
       )}
       {hasEnds.value && subject.easing !== null && (
         <ChoiceRow
-          label="Easing"
+          label={messages.easing}
           options={EASINGS}
           value={of.easing}
           onChange={(next) => choose({ easing: next })}
@@ -259,7 +257,7 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
       {hasEnds.value && (
         <div class={css["export-pair"]}>
           <NumberField
-            label="Hold at ends"
+            label={messages.pauseAtBothEnds}
             value={of.hold}
             min={0}
             max={MOST_HOLD}
@@ -272,7 +270,7 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
       )}
       {isVideo(kind) && (
         <ChoiceRow
-          label="Quality"
+          label={messages.quality}
           options={QUALITIES}
           value={quality}
           onChange={(next) => choose({ quality: next })}
@@ -280,18 +278,16 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
       )}
       {isVideo(kind) && !(of.clear && canBeClear(kind)) && able.value?.fullColour && (
         <ChoiceRow
-          label="Chroma"
+          label={messages.chroma}
           options={CHROMAS}
           value={of.fullColour ? "444" : "420"}
           onChange={(next) => choose({ fullColour: next === "444" })}
         />
       )}
-      {of.fullColour && (
-        <p class="hint">Plays in Chrome, Edge, Firefox and VLC, but not in Safari or QuickTime.</p>
-      )}
+      {of.fullColour && <p class="hint">{messages.playsInChromeEdge}</p>}
       {kind === "gif" && (
         <ChoiceRow
-          label="Dithering"
+          label={messages.dither}
           options={DITHERS}
           value={dither === null ? "auto" : dither ? "on" : "off"}
           onChange={(next) => choose({ dither: next === "auto" ? null : next === "on" })}
@@ -307,7 +303,7 @@ function LookFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
   return (
     <>
       <ChoiceRow
-        label="Samples per pixel"
+        label={messages.samplesPerPixel}
         options={subject.choosesSmooth ? SAMPLES : SAMPLES.slice(1)}
         value={`${of.samples}` as const}
         onChange={(next) => choose({ samples: Number(next) as Plan["samples"] })}
@@ -316,28 +312,28 @@ function LookFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
       {subject.photograph !== undefined && (
         <Switch
           checked={of.photograph}
-          description="The photographs of both leaves fade from one into the other inside the outline"
+          description={messages.photosBothLeavesFade}
           onChange={(next) => choose({ photograph: next })}
         >
-          With the photographs
+          {messages.withPhotos}
         </Switch>
       )}
       {subject.caption && (
         <Switch
           checked={captions}
-          description="In the corner of each frame"
+          description={messages.inCornerEachFrame}
           onChange={(next) => choose({ captions: next })}
         >
-          Say the moment, and whether it is in one piece
+          {messages.captionWithTimeAnd}
         </Switch>
       )}
       {subject.inset && (
         <Switch
           checked={inset}
-          description="The map of parameters with the path, small, in a corner of each frame"
+          description={messages.locusWithPathSmall}
           onChange={(next) => choose({ inset: next })}
         >
-          Show where on the map it is
+          {messages.insetPositionOnLocus}
         </Switch>
       )}
     </>
@@ -351,7 +347,7 @@ function NumbersFields({ of, numbers }: { of: Plan; numbers: Numbers | undefined
     <>
       <div class="row">
         <Segmented<Kind>
-          label="Which numbers"
+          label={messages.numbersToExport}
           options={numbers.kinds}
           value={kind}
           onChange={(next) => choose({ kind: next })}
@@ -360,7 +356,7 @@ function NumbersFields({ of, numbers }: { of: Plan; numbers: Numbers | undefined
       <p class="hint">{numbers.about[kind]}</p>
       {kind === "frames" && (
         <NumberField
-          label="Frames a second"
+          label={messages.framesPerSecond}
           value={of.fps}
           min={LEAST_FPS}
           max={mostFps(of.kind)}
@@ -381,7 +377,7 @@ function Part({ of, seconds }: { of: Plan; seconds: number }) {
       {(["from", "to"] as const).map((end) => (
         <NumberField
           key={end}
-          label={end === "from" ? "From" : "to"}
+          label={end === "from" ? messages.from : messages.to}
           value={of[end]}
           min={0}
           max={seconds}
@@ -392,7 +388,7 @@ function Part({ of, seconds }: { of: Plan; seconds: number }) {
         />
       ))}
       <Button kind="quiet" disabled={all} onClick={chooseAll}>
-        All of it
+        {messages.all}
       </Button>
     </div>
   );
@@ -412,19 +408,16 @@ function Estimate({ of, subject, go, cost, lit }: EstimateProps) {
     () => (isFilm(of.kind) ? filmBytes(of, go, lit) : (numbers?.bytes(of, go) ?? null)),
     [of, go, lit, numbers],
   );
-  if (of.kind === "keys") return <p class="hint">A small file.</p>;
+  if (of.kind === "keys") return <p class="hint">{messages.smallFile}</p>;
   const film = isFilm(of.kind);
   const count = frameCount(of, go);
   const end = ENDS.find(({ value }) => value === loop.value)?.label.toLowerCase();
+  const frames = messages.framesAndLength(count, formatNumber(filmSeconds(of, go), 2));
   const parts = [
-    `${grouped(count)} ${count === 1 ? "frame" : "frames"}, ${formatNumber(filmSeconds(of, go), 2)} s${go === "once" ? "" : `, ${end}`}`,
-    ...(bytes === null ? [] : [`about ${bytesWords(bytes)}`]),
-    ...(!film && numbers && bytes !== null && bytes > numbers.mostBytes
-      ? ["too large to be opened here again"]
-      : []),
-    ...(film && cost !== null
-      ? [`about ${timeWords(secondsFor(subject, of, go, cost))} on this device`]
-      : []),
+    go === "once" || end === undefined ? frames : messages.loopOf(frames, end),
+    ...(bytes === null ? [] : [messages.aboutBytes(bytesWords(bytes))]),
+    ...(!film && numbers && bytes !== null && bytes > numbers.mostBytes ? [messages.tooLargeToReopen] : []),
+    ...(film && cost !== null ? [messages.aboutTime(timeWords(secondsFor(subject, of, go, cost)))] : []),
   ];
   return <p class="hint number">{parts.join(" · ")}</p>;
 }

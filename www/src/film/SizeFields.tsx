@@ -2,6 +2,7 @@ import type { ComponentChildren } from "preact";
 import { NumberField } from "#ui/controls/NumberField";
 import { Select } from "#ui/controls/Select";
 import css from "./film.module.css";
+import * as messages from "./messages";
 import { LEAST_SIDE } from "./plan";
 
 /** A size that has a name. */
@@ -32,7 +33,7 @@ export function SizeFields({ width, height, sizes, first, most, step, choose, ch
   return (
     <>
       <label class={css["export-size"]}>
-        <span class="field-label">Size</span>
+        <span class="field-label">{messages.size}</span>
         <Select
           value={value}
           onChange={(event) => {
@@ -47,14 +48,14 @@ export function SizeFields({ width, height, sizes, first, most, step, choose, ch
               {name}
             </option>
           ))}
-          {value === "own" && <option value="own">Your own</option>}
+          {value === "own" && <option value="own">{messages.custom}</option>}
         </Select>
       </label>
       <div class={css["export-pair"]}>
         {(["width", "height"] as const).map((side) => (
           <NumberField
             key={side}
-            label={side === "width" ? "Width" : "Height"}
+            label={side === "width" ? messages.width : messages.height}
             value={side === "width" ? width : height}
             min={LEAST_SIDE}
             max={most}

@@ -5,6 +5,7 @@ import type { Repeat } from "#wasm/api";
 import { painters } from "#workers/film/crew";
 import { channels, layOn } from "#workers/film/opaque";
 import { type Subject, sampling } from "#workers/film/subject";
+import * as messages from "./messages";
 import { frameCount, litPart, type Plan } from "./plan";
 
 export interface Preview {
@@ -52,7 +53,7 @@ export function usePreview(
       const drawer = subject.drawer(look, { alone: true });
       try {
         const picture = await drawer.frame(at, stop.signal);
-        if (!picture) throw new Error("There is no picture at that moment. Choose another.");
+        if (!picture) throw new Error(messages.thereNoPictureAt);
         const { data, took } = picture;
         const lit = litPart(data, channels(ground));
         if (!clear) layOn(data, ground);

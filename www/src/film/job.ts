@@ -4,6 +4,7 @@ import { type ReadonlySignal, signal } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { downloadFrom } from "#ui/files/download";
 import { type Film, makeFilm } from "#workers/film/film";
+import * as messages from "./messages";
 import { exportOpen, filmProgress, filmUnseen } from "./open";
 import { bitrateOf, canBeClear, fileName, isFilm, type Plan, secondsLeft, timesOf } from "./plan";
 import { framesGo } from "./settings";
@@ -63,7 +64,7 @@ export async function make(subject: FilmSubject, plan: Plan): Promise<void> {
     finish({ plan, name, frames: times.length }, film);
   } catch (problem) {
     if (!ending.signal.aborted) {
-      notify({ kind: "error", text: `The export did not come to its end: ${wordsOf(problem)}` });
+      notify({ kind: "error", text: messages.exportFailed(wordsOf(problem)) });
     }
   } finally {
     removeEventListener("beforeunload", warn);
@@ -83,7 +84,7 @@ function filmOf(
 ): Promise<Film> {
   const { kind, width, height, fps, samples, fullColour, photograph, captions, dither, inset } = plan;
   if (!isFilm(kind)) {
-    if (!subject.numbers) throw new Error("This has no numbers.");
+    if (!subject.numbers) throw new Error(messages.thereNoNumbersTo);
     return subject.numbers.make(plan, times, signal, onFrame);
   }
   const ground = plan.clear && canBeClear(kind) ? null : (plan.ground ?? subject.ground);

@@ -1,6 +1,7 @@
 /** What the page knows of the dialogs of films and pictures: the rest is loaded when it is asked for. */
 import { computed, signal } from "@preact/signals";
 import type { Command } from "#ui/commands";
+import * as messages from "./messages";
 
 /** Which is open. */
 export const exportOpen = signal<"film" | "picture" | "mesh" | "share" | "publish" | "recent" | null>(null);
@@ -40,8 +41,8 @@ export function openRecent(): void {
 /** In every tool in which something moves. */
 export const FILM: Command = {
   id: "film",
-  label: "Film of what moves",
-  group: "Everywhere",
+  label: messages.film,
+  group: messages.everywhere,
   keys: ["X"],
   run: openFilm,
 };

@@ -6,6 +6,7 @@ import type { Repeat } from "#wasm/api";
 import { MOST_GIF_FPS } from "#workers/film/format/gif";
 import type { FilmKind } from "#workers/film/format/sink";
 import { type Samples, sampling } from "#workers/film/subject";
+import * as messages from "./messages";
 
 /** Every frame as numbers, or what they are made from. */
 export type NumbersKind = "frames" | "keys";
@@ -91,33 +92,33 @@ export function planProblem(plan: Plan, loop: Repeat): string | null {
   const { kind, width, height, fps, from, to } = plan;
   if (kind === "keys") return null;
   if (![fps, from, to].every(Number.isFinite) || !(to > from)) {
-    return "It ends before it begins: choose a later end.";
+    return messages.filmEndsBeforeBegins;
   }
   if (fps < LEAST_FPS || fps > mostFps(kind)) {
     return kind === "gif" && fps <= MOST_FPS
-      ? `A GIF shows at most ${MOST_GIF_FPS} frames a second. Choose fewer.`
-      : `Choose ${LEAST_FPS} to ${mostFps(kind)} frames a second.`;
+      ? messages.gifFps(MOST_GIF_FPS)
+      : messages.chooseFps(LEAST_FPS, mostFps(kind));
   }
   if (!(plan.hold >= 0 && plan.hold <= MOST_HOLD)) {
-    return `Hold each end for 0 to ${MOST_HOLD} s.`;
+    return messages.chooseHold(MOST_HOLD);
   }
   const count = frameCount(plan, loop);
   if (count > MOST_FRAMES) {
     const moving = MOST_FRAMES - 2 * heldOf(plan, loop);
     const seconds = Math.floor(moving / fps / (loop === "pingpong" ? 2 : 1));
-    return `${grouped(count)} frames are too many: ${grouped(MOST_FRAMES)} is the most. Choose fewer frames a second, or at most ${seconds} s.`;
+    return messages.tooManyFrames(grouped(count), grouped(MOST_FRAMES), seconds);
   }
   if (!isFilm(kind)) return null;
   for (const side of [width, height]) {
     if (!(side >= LEAST_SIDE && side <= MOST_SIDE && side % 2 === 0)) {
-      return `Each side has ${LEAST_SIDE} to ${grouped(MOST_SIDE)} pixels, an even number.`;
+      return messages.evenSides(LEAST_SIDE, grouped(MOST_SIDE));
     }
   }
   if (sampling(plan.samples).drawn ** 2 * width * height > MOST_SIDE ** 2) {
-    return "This size is too large for 4 × 4 samples per pixel. Choose 2 × 2, or a smaller size.";
+    return messages.thisSizeTooLarge;
   }
   if (filmBytes(plan, loop) > MOST_BYTES) {
-    return `That would be about ${bytesWords(filmBytes(plan, loop))}, more than a browser can hold. Choose a smaller size, or fewer frames.`;
+    return messages.tooLarge(bytesWords(filmBytes(plan, loop)));
   }
   return null;
 }
@@ -183,7 +184,7 @@ export function bytesWords(bytes: number): string {
 /** About how long, as one says it. */
 export function timeWords(seconds: number): string {
   if (!Number.isFinite(seconds)) return "";
-  if (seconds < 2) return "a moment";
+  if (seconds < 2) return messages.moment;
   if (seconds < 55) return `${seconds < 10 ? Math.ceil(seconds) : 5 * Math.ceil(seconds / 5)} s`;
   if (seconds < 3300) return `${Math.max(1, Math.round(seconds / 60))} min`;
   return `${formatNumber(seconds / 3600, 1)} h`;

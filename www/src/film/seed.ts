@@ -1,15 +1,16 @@
 /** Figures that a shape in the making begins with: any of them ends in the same attractor. */
 import type { Box } from "#geometry/boxes";
+import * as messages from "./messages";
 
 export type SeedName = "frame" | "hull" | "square" | "triangle" | "leaf" | "point";
 
 export const SEEDS: readonly { value: SeedName; label: string }[] = [
-  { value: "frame", label: "Rectangle around it" },
-  { value: "hull", label: "Convex hull" },
-  { value: "square", label: "Square" },
-  { value: "triangle", label: "Triangle" },
-  { value: "leaf", label: "Leaf" },
-  { value: "point", label: "Point" },
+  { value: "frame", label: messages.boundingRectangle },
+  { value: "hull", label: messages.convexHull },
+  { value: "square", label: messages.square },
+  { value: "triangle", label: messages.triangle },
+  { value: "leaf", label: messages.leaf },
+  { value: "point", label: messages.point },
 ];
 
 type Point = readonly [x: number, y: number];

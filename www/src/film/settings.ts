@@ -5,19 +5,20 @@ import type { Repeat } from "#wasm/api";
 import { filmTask } from "#workers/film/client";
 import type { Encodable } from "#workers/film/encode";
 import { lasting, type Samples } from "#workers/film/subject";
+import * as messages from "./messages";
 import { bitrateOf, canBeClear, even, isVideo, type Plan } from "./plan";
 import type { NamedSize } from "./SizeFields";
 import type { SeedName } from "./seed";
 import type { FilmSubject } from "./subject";
 
 export const SIZES: readonly NamedSize[] = [
-  { id: "small", name: "Small, 480 × 270", width: 480, height: 270 },
-  { id: "medium", name: "Medium, 854 × 480", width: 854, height: 480 },
-  { id: "hd", name: "HD, 1280 × 720", width: 1280, height: 720 },
-  { id: "full", name: "Full HD, 1920 × 1080", width: 1920, height: 1080 },
+  { id: "small", name: messages.small480270, width: 480, height: 270 },
+  { id: "medium", name: messages.medium854480, width: 854, height: 480 },
+  { id: "hd", name: messages.hd1280720, width: 1280, height: 720 },
+  { id: "full", name: messages.fullHd19201080, width: 1920, height: 1080 },
   { id: "4k", name: "4K, 3840 × 2160", width: 3840, height: 2160 },
-  { id: "square", name: "Square, 720 × 720", width: 720, height: 720 },
-  { id: "upright", name: "Upright, 720 × 1280", width: 720, height: 1280 },
+  { id: "square", name: messages.square720720, width: 720, height: 720 },
+  { id: "upright", name: messages.portrait7201280, width: 720, height: 1280 },
 ];
 
 /** Fewer cores would be at it for long. */

@@ -8,6 +8,7 @@ import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import type { Drawer, FrameLook, FramePixels } from "#workers/film/subject";
 import { turn } from "#workers/film/turn";
+import * as messages from "./messages";
 import { SEEDS, type SeedName, seedCorners } from "./seed";
 import type { FilmSubject } from "./subject";
 
@@ -57,7 +58,7 @@ export function stepsSubject(
   const figure = { corners, seen: seenBox(steps, corners, box), colours };
   return {
     id: "steps",
-    label: "Step by step",
+    label: messages.stepByStep,
     name: `${name}-steps`,
     seconds: steps.length,
     anyLength: true,
@@ -108,7 +109,7 @@ function drawn(
   const began = performance.now();
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext("2d", { willReadFrequently: true });
-  if (!context) throw new Error("This browser has no canvas to draw on.");
+  if (!context) throw new Error(messages.thisBrowserCouldNot);
   const colours = both[isDark(ground) ? "dark" : "light"];
   const { x, y, scale } = fitFor(seen, { width, height }, MARGIN);
   const dot = Math.max(1, DOT_RADIUS * Math.min(width, height));

@@ -2,7 +2,7 @@
 
 const LANGUAGE = "en-GB";
 
-const rules = new Intl.PluralRules(LANGUAGE);
+const rules = /* @__PURE__ */ new Intl.PluralRules(LANGUAGE);
 
 /** The form that the language asks for after this count: `plural(2, { one: "1 map", other: "2 maps" })`. */
 export function plural<Form>(
@@ -12,12 +12,12 @@ export function plural<Form>(
   return forms[rules.select(count)] ?? forms.other;
 }
 
-const whole = new Intl.NumberFormat(LANGUAGE, { maximumFractionDigits: 0 });
+const whole = /* @__PURE__ */ new Intl.NumberFormat(LANGUAGE, { maximumFractionDigits: 0 });
 
 /** A count as people write it: 1,773. */
 export const countOf = (count: number): string => whole.format(count);
 
-const list = new Intl.ListFormat(LANGUAGE, { type: "conjunction" });
+const list = /* @__PURE__ */ new Intl.ListFormat(LANGUAGE, { type: "conjunction" });
 
 /** "A", "A and B", "A, B and C". */
 export const listOf = (items: readonly string[]): string => list.format(items);

@@ -13,6 +13,7 @@ import locusCss from "#stage/locus/locus.module.css";
 import type { LocusStyle } from "#stage/locus/paint";
 import "#stage/locus/handles.css";
 import { EPSILON } from "#workers/lanes/locus-fill";
+import * as messages from "../messages";
 import { momentNear, place } from "./place";
 import { field, inSight, problem, watchLocus } from "./work";
 
@@ -21,9 +22,7 @@ const style = signal<LocusStyle>("gap");
 const locus = computed(() => field.value?.locus ?? null);
 const states = statesIn(locus);
 const coarse = computed(() => locus.value?.progress === 1 && locus.value.stride > 1);
-const LABEL =
-  "Map of u, to the right, and v, upwards, from −1 to 2: light where the shape holds together, dark where it is broken. " +
-  "The way goes straight from A at (0, 0) to B at (1, 1).";
+const LABEL = messages.locusOverUTo + messages.pathRunsStraightFrom;
 
 /** Where the morph of two graph-directed shapes holds together, with the straight way through it. */
 export function DirectedMap() {
@@ -49,12 +48,7 @@ export function DirectedMap() {
         <HomeTicks axis="u" />
       </div>
       <Legend states={states.value} epsilon={EPSILON} style={style.value} />
-      {coarse.value && (
-        <p class="hint">
-          It is drawn coarsely: of shapes of so many maps each sample takes long. What the picture shows is
-          judged at every moment all the same.
-        </p>
-      )}
+      {coarse.value && <p class="hint">{messages.locusCoarseBecauseEach}</p>}
     </section>
   );
 }

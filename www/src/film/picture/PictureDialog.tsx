@@ -12,6 +12,7 @@ import { makePicture } from "#workers/film/picture";
 import { usePreview } from "../estimate";
 import css from "../film.module.css";
 import { Ground } from "../Ground";
+import * as messages from "../messages";
 import { exportOpen } from "../open";
 import { Picture } from "../Preview";
 import { LEAST_SIDE } from "../plan";
@@ -53,14 +54,9 @@ export function PictureDialog({ still, link }: { still: () => Promise<Still>; li
     still().then(setFound, (problem) => setFound({ problem: wordsOf(problem) }));
   }, [still]);
   return (
-    <Dialog
-      title="Save the picture"
-      about="Drawn anew at this size, complete and sharp."
-      onClose={close}
-      wide
-    >
+    <Dialog title={messages.savePicture} about={messages.drawnAgainAtThis} onClose={close} wide>
       {!found ? (
-        <p class={css["export-nothing"]}>Getting ready …</p>
+        <p class={css["export-nothing"]}>{messages.preparing}</p>
       ) : "problem" in found ? (
         <p class={css["export-problem"]}>{found.problem}</p>
       ) : (
@@ -89,7 +85,7 @@ function Choices({ still, link }: { still: Still; link: () => string | null }) {
       {making && (
         <div class={css["export-kinds"]}>
           <Segmented
-            label="What is saved"
+            label={messages.picture}
             options={WHAT}
             value={drawn.steps ? "steps" : "stage"}
             onChange={(next) => {
@@ -103,7 +99,7 @@ function Choices({ still, link }: { still: Still; link: () => string | null }) {
           <>
             {making?.seeds && <SeedField of={making.seeds} />}
             <NumberField
-              label="Steps"
+              label={messages.steps}
               value={at}
               min={0}
               max={most}
@@ -119,7 +115,7 @@ function Choices({ still, link }: { still: Still; link: () => string | null }) {
           height={height}
           sizes={SIZES}
           first={{
-            name: "As on the stage, larger",
+            name: messages.asOnStageLarger,
             chosen: chosen.value.width === undefined,
             choose: () => {
               const { width: _width, height: _height, ...rest } = chosen.peek();
@@ -133,19 +129,19 @@ function Choices({ still, link }: { still: Still; link: () => string | null }) {
         <Ground of={plan} stage={subject.ground} canBeClear choose={change} />
         {subject.choosesSmooth && (
           <Switch checked={plan.smooth} onChange={(smooth) => change({ smooth })}>
-            Smooth edges, in about four times the time
+            {messages.smoothEdgesInAbout}
           </Switch>
         )}
         <Switch
           checked={plan.link}
-          description="Dropped on Frond, the picture opens what it shows"
+          description={messages.ifYouOpenPicture}
           onChange={(next) => change({ link: next })}
         >
-          Keep the link in the picture
+          {messages.includeLinkInPicture}
         </Switch>
       </div>
       <div class={css["export-preview"]}>
-        <Picture image={preview.image} label="The picture" ratio={width / height} />
+        <Picture image={preview.image} label={messages.picture2} ratio={width / height} />
       </div>
       <footer class={css["export-foot"]}>
         {now ? (
@@ -153,7 +149,7 @@ function Choices({ still, link }: { still: Still; link: () => string | null }) {
             class="progress"
             max={1}
             {...(inStrips ? { value: now.done } : {})}
-            aria-label="Part of the picture that is drawn"
+            aria-label={messages.progressPicture}
           />
         ) : problem === null ? (
           <p class="hint number">{pictureWords(plan, preview.lit)}</p>
@@ -163,7 +159,7 @@ function Choices({ still, link }: { still: Still; link: () => string | null }) {
           </p>
         )}
         {now ? (
-          <Button onClick={() => now.stop.abort()}>Cancel</Button>
+          <Button onClick={() => now.stop.abort()}>{messages.cancel}</Button>
         ) : (
           <Button
             kind="primary"
@@ -171,7 +167,7 @@ function Choices({ still, link }: { still: Still; link: () => string | null }) {
             disabled={problem !== null}
             onClick={() => void save(drawn, plan, plan.link ? link() : null)}
           >
-            Save as PNG
+            {messages.saveAsPng}
           </Button>
         )}
       </footer>
@@ -198,16 +194,16 @@ function change(part: Partial<PicturePlan>): void {
 type Drawn = Pick<Still, "subject" | "at" | "inStrips"> & { steps: boolean };
 
 const WHAT = [
-  { value: "stage", label: "As on the stage" },
-  { value: "steps", label: "Step by step" },
+  { value: "stage", label: messages.asOnStage },
+  { value: "steps", label: messages.stepByStep },
 ] as const;
 
 const SIZES: readonly NamedSize[] = [
-  { id: "full", name: "Full HD, 1920 × 1080", width: 1920, height: 1080 },
+  { id: "full", name: messages.fullHd19201080, width: 1920, height: 1080 },
   { id: "4k", name: "4K, 3840 × 2160", width: 3840, height: 2160 },
-  { id: "square", name: "Square, 2048 × 2048", width: 2048, height: 2048 },
-  { id: "poster", name: "Poster, 5793 × 8192", width: 5793, height: 8192 },
-  { id: "largest", name: "Largest, 8192 × 8192", width: 8192, height: 8192 },
+  { id: "square", name: messages.square20482048, width: 2048, height: 2048 },
+  { id: "poster", name: messages.poster57938192, width: 5793, height: 8192 },
+  { id: "largest", name: messages.largest81928192, width: 8192, height: 8192 },
 ];
 
 async function save({ subject, at, steps }: Drawn, plan: PicturePlan, link: string | null): Promise<void> {
@@ -227,7 +223,7 @@ async function save({ subject, at, steps }: Drawn, plan: PicturePlan, link: stri
     exportOpen.value = null;
   } catch (problem) {
     if (!stop.signal.aborted) {
-      notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
+      notify({ kind: "error", text: messages.pictureFailed(wordsOf(problem)) });
     }
   } finally {
     running.value = null;

@@ -1,4 +1,6 @@
 /** What a picture is to be saved as. Pure, for the tests. */
+
+import * as messages from "../messages";
 import { bytesWords, LEAST_SIDE } from "../plan";
 
 export interface PicturePlan {
@@ -22,11 +24,11 @@ export const MOST_WHOLE = 4096 ** 2;
 export function pictureProblem({ width, height }: PicturePlan, inStrips: boolean): string | null {
   for (const side of [width, height]) {
     if (!(Number.isInteger(side) && side >= LEAST_SIDE && side <= MOST_PICTURE_SIDE)) {
-      return `Each side has ${LEAST_SIDE} to ${MOST_PICTURE_SIDE} pixels.`;
+      return messages.eachSide(LEAST_SIDE, MOST_PICTURE_SIDE);
     }
   }
   if (!inStrips && width * height > MOST_WHOLE) {
-    return "This can be saved with at most 4096 × 4096 pixels. Choose a smaller size.";
+    return messages.thisCanSavedWith;
   }
   return null;
 }
@@ -37,5 +39,5 @@ const EMPTY_BYTES = 0.01;
 
 export function pictureWords({ width, height }: PicturePlan, lit: number): string {
   const bytes = width * height * (LIT_BYTES * lit + EMPTY_BYTES) + 500;
-  return `${width} × ${height} pixels · about ${bytesWords(bytes)}`;
+  return messages.pictureSize(width, height, bytesWords(bytes));
 }

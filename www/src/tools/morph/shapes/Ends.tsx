@@ -100,7 +100,7 @@ function Card({ end }: { end: End }) {
             },
           },
           {
-            label: messages.useAlso(nameOf(other(end))),
+            label: messages.alsoAs(nameOf(other(end))),
             icon: "copy",
             onSelect: () => {
               edit((before) => asBoth(before, end));

@@ -10,7 +10,7 @@ export const moveRotateOrScale = "Move, rotate or scale it";
 export const mapsAsText = "Maps as text …";
 export const saveThisShape = "Save this shape";
 export const isKept = (name: string) => `${name} is saved. Find it in the gallery under Yours.`;
-export const useAlso = (shape: string) => `Use as ${shape} too`;
+export const alsoAs = (shape: string) => `Use as ${shape} too`;
 export const atBothEnds = (name: string) => `${name} is now both shapes.`;
 
 export const shapeNow = (shape: string, name: string) => `Shape ${shape} is now ${name}.`;

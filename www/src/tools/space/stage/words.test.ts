@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { countsWords, handWords, insideWords, statusWords, troubleOf } from "./words";
 
 test("it says how much of the picture is there, and calls it complete only when it is", () => {
-  expect(statusWords({ backend: null, complete: false, settled: false, points: 0 })).toBe("Getting ready …");
+  expect(statusWords({ backend: null, complete: false, settled: false, points: 0 })).toBe("Preparing …");
   expect(statusWords({ backend: "webgl2", complete: false, settled: false, points: 1_000_000 })).toBe(
     "1.0 M points, completing …",
   );
