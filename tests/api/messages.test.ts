@@ -12,7 +12,17 @@ const files = readdirSync(root, { recursive: true, encoding: "utf8" })
 const texts = new Map(files.map((path) => [path, readFileSync(join(root, path), "utf8")]));
 
 /** The rooms whose sentences all stand in catalogues. A room is added once it is done, and never leaves. */
-const DONE = ["compute", "curve", "directed", "film", "format", "shell", "stage", "tools/morph"];
+const DONE = [
+  "compute",
+  "curve",
+  "directed",
+  "film",
+  "format",
+  "shell",
+  "stage",
+  "tools/deform",
+  "tools/morph",
+];
 
 /** Attributes and properties that a person reads or hears. */
 const READ =
@@ -109,7 +119,9 @@ const FOR_PROGRAMS: readonly (readonly [file: string, text: RegExp])[] = [
   // HTML that somebody copies or downloads.
   ["shell/ShareDialog.tsx", /<|style=/],
   ["shell/publish/folder.ts", /[<>{}]|^light dark$|^autoplay loop$/],
-  // The name of a gesture.
+  // Names of gestures.
+  ["tools/deform/mesh/handles/HandleFields.tsx", /^mesh field$/],
+  ["tools/deform/mesh/handles/keyboard.ts", /^mesh keys$/],
   ["stage/handles/held.ts", /^turn keys$/],
   // What browsers and files say.
   ["shell/trouble.ts", /^ResizeObserver loop$/],

@@ -180,7 +180,7 @@ test("the grid bends it, with its moment, and undo takes that back", async ({ st
   await grid.open(`${LEAVES}&tool=deform`);
   const rest = await studio.look();
   await expect(page.getByText("A closed curve has no pieces that could turn")).toBeVisible();
-  await expect(page.getByText("Kept together by")).toHaveCount(0);
+  await expect(page.getByText("Continuity")).toHaveCount(0);
   await grid.drag(await grid.place(4, 4), 60, -40);
   const bent = await studio.look();
   expect(bent.hash).not.toBe(rest.hash);
@@ -212,7 +212,7 @@ test("the grid bends it, with its moment, and undo takes that back", async ({ st
   const after = await studio.scene();
   expect(after.curves).toBeUndefined();
   expect(after.a.preset).toBe("fern");
-  await expect(page.getByText("Kept together by")).toBeVisible();
+  await expect(page.getByText("Continuity")).toBeVisible();
   expect((await studio.look()).lit).toBeGreaterThan(100);
 });
 
@@ -222,10 +222,10 @@ test("a picture is bent in its place, and the curve comes back", { tag: "@webgpu
 }) => {
   await studio.open(`${LEAVES}&tool=deform`);
   const curve = await studio.look();
-  await page.getByRole("radio", { name: "A picture" }).check();
+  await page.getByRole("radio", { name: "Picture" }).check();
   // Another canvas takes its place, on a slow machine not at once.
   await expect.poll(async () => (await studio.look()).hash).not.toBe(curve.hash);
-  await page.getByRole("radio", { name: "A shape" }).check();
+  await page.getByRole("radio", { name: "Shape" }).check();
   await expect.poll(async () => (await studio.look()).hash).toBe(curve.hash);
 });
 

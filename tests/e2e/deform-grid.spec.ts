@@ -140,7 +140,7 @@ test("the mesh is one stop of Tab, and keys do all that a hand does", async ({ s
 test("what is moved is mirrored", async ({ studio, page }) => {
   const grid = new Grid(page, studio);
   await grid.open();
-  await page.getByRole("radio", { name: "Left, right" }).check();
+  await page.getByRole("radio", { name: "Left/right" }).check();
   await grid.drag(await grid.place(1, 3), -30, -20);
   const [dx = 0, dy = 0] = await grid.moved(1, 3);
   expect(dx).toBeLessThan(0);
@@ -155,9 +155,9 @@ test("what is moved is mirrored", async ({ studio, page }) => {
   // It mirrors what is taken back, too.
   await page.keyboard.press("Delete");
   expect(await grid.count()).toBe(2);
-  await page.getByRole("button", { name: "All back" }).click();
+  await page.getByRole("button", { name: "Reset all" }).click();
   expect(await grid.count()).toBe(0);
-  await expect(page.getByRole("button", { name: "All back" })).toBeDisabled();
+  await expect(page.getByRole("button", { name: "Reset all" })).toBeDisabled();
 });
 
 test("what is chosen is moved by numbers", async ({ studio, page }) => {
@@ -227,7 +227,7 @@ test("the grid has more handles, or fewer, and none when it is not shown", async
   expect((await studio.scene()).deform).toMatchObject({ columns: 4, rows: 4 });
   expect(await grid.count()).toBe(1);
   const at = await grid.place(2, 3);
-  await page.getByRole("switch", { name: "Show it" }).uncheck();
+  await page.getByRole("switch", { name: "Show grid" }).uncheck();
   await expect(grid.handles).toHaveCount(0);
   // The picture has the whole stage to itself.
   const view = (await studio.scene()).view;
@@ -242,7 +242,7 @@ test("chosen handles are put back by the button", async ({ studio, page }) => {
   await grid.drag(await grid.place(2, 2), 40, 40);
   await grid.drag(await grid.place(3, 3), 40, 40);
   expect(await grid.count()).toBe(2);
-  await page.getByRole("button", { name: "Put the handle back" }).click();
+  await page.getByRole("button", { name: "Reset the handle" }).click();
   expect(await grid.moved(3, 3)).toEqual([0, 0]);
   expect(await grid.count()).toBe(1);
 });

@@ -22,7 +22,7 @@ const file = (page: Page) => page.getByLabel("Picture file");
 /** Opens the tool with the sample on the stage. */
 async function withSample(studio: Studio, page: Page, query = ""): Promise<void> {
   await studio.open(GASKET, query);
-  await page.getByRole("radio", { name: "A picture" }).check({ force: true });
+  await page.getByRole("radio", { name: "Picture" }).check({ force: true });
   await expect(name(page, "Sample: ferns at dusk")).toBeVisible();
 }
 
@@ -153,7 +153,7 @@ test("a link brings the bend and says where the picture is; a shape comes back w
   await expect.poll(() => studio.said()).toContain("The picture itself is not in the link: choose it again.");
   await expect(name(page, "Sample: ferns at dusk")).toBeVisible();
   expect((await studio.look()).hash).toBe(bent);
-  await page.getByRole("radio", { name: "A shape" }).check({ force: true });
+  await page.getByRole("radio", { name: "Shape" }).check({ force: true });
   const shape = await studio.look();
   expect(shape.hash).not.toBe(bent);
   expect(await studio.likeness()).toBeGreaterThan(0.97);

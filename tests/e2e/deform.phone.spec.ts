@@ -51,10 +51,10 @@ test("a tap on a motion plays it, and a tap on a key frame goes there", async ({
   await studio.drawn();
   await page.getByRole("button", { name: "Sway" }).tap();
   await expect.poll(async () => (await studio.scene()).deform?.phase ?? 0).toBeGreaterThan(0.02);
-  await page.getByRole("slider", { name: /^Key frame 2 of 4/ }).tap();
+  await page.getByRole("slider", { name: /^Keyframe 2 of 4/ }).tap();
   await expect(page.getByRole("button", { name: "Play", exact: true })).toBeVisible();
   expect((await studio.scene()).deform?.phase).toBe(0.25);
-  await page.getByRole("button", { name: "Delete key frame 2" }).tap();
+  await page.getByRole("button", { name: "Delete keyframe 2" }).tap();
   expect((await studio.scene()).deform?.keys).toHaveLength(3);
 });
 
@@ -64,7 +64,7 @@ test("a key frame is dragged with a finger: one step of undo", async ({ studio, 
   await studio.drawn();
   await page.getByRole("button", { name: "Breathe" }).tap();
   const keys = async () => (await studio.scene()).deform?.keys.map(({ at }) => at);
-  const box = await page.getByRole("slider", { name: /^Key frame 4 of 4/ }).boundingBox();
+  const box = await page.getByRole("slider", { name: /^Keyframe 4 of 4/ }).boundingBox();
   const track = await page.locator(".key-track").boundingBox();
   if (!box || !track) throw new Error("no key on the track");
   const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };

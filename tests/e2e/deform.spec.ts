@@ -6,7 +6,7 @@ const GASKET = "v=1&a=gasket&b=gasket&path=straight&tool=deform";
 
 const slider = (page: Page, name: string) => page.getByRole("slider", { name, exact: true });
 const key = (page: Page, number: number) =>
-  page.getByRole("slider", { name: new RegExp(`^Key frame ${number} of`) });
+  page.getByRole("slider", { name: new RegExp(`^Keyframe ${number} of`) });
 
 test("a newcomer sees the grid and what to do, and one press shows it", async ({ studio, page }) => {
   await studio.open(GASKET);
@@ -84,7 +84,7 @@ test("detail takes locality along and gives it back, and bad numbers are refused
   await roughness.press("Enter");
   await expect(page.getByText("A number cannot contain “lots”.")).toBeVisible();
   expect((await studio.scene()).deform).toMatchObject({ kb: 5, delta: 0.75 });
-  await page.getByRole("switch", { name: "Differs from corner to corner" }).check();
+  await page.getByRole("switch", { name: "Varies by corner" }).check();
   await page.getByRole("spinbutton", { name: "Upper right" }).fill("1.25");
   await page.keyboard.press("Enter");
   expect((await studio.scene()).deform?.delta).toEqual([0.75, 0.75, 0.75, 1.25]);
@@ -185,9 +185,9 @@ test("axe finds nothing in the deformation tool", async ({ studio, page }) => {
   await expectClean(page);
   await page.getByRole("button", { name: "Wave" }).click();
   await page.getByRole("radio", { name: "Grid" }).check();
-  await page.getByRole("switch", { name: "Differs from corner to corner" }).check();
+  await page.getByRole("switch", { name: "Varies by corner" }).check();
   for (const summary of await page.locator("details.fold > summary").all()) await summary.click();
-  const field = page.getByRole("spinbutton", { name: "Seconds once through" });
+  const field = page.getByRole("spinbutton", { name: "Duration in seconds" });
   await field.fill("0");
   await field.press("Enter");
   await studio.drawn();
@@ -195,7 +195,7 @@ test("axe finds nothing in the deformation tool", async ({ studio, page }) => {
   await field.press("Escape");
   await field.blur();
   await page.locator("body").press("?");
-  await expect(page.getByText("Hide the grid, show it")).toBeVisible();
+  await expect(page.getByText("Hide or show the grid")).toBeVisible();
   await expectClean(page);
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: /Choose another shape$/ }).click();

@@ -41,9 +41,9 @@ test("a link of two of them opens with what is proved of the way and of each sta
   await expectClean(page);
   // Nothing bends it, which is said, and it stays.
   await page.getByRole("link", { name: "Deform" }).click();
-  await expect(page.getByRole("heading", { name: "This shape is not bent" })).toBeVisible();
-  await page.getByRole("button", { name: "Bend its picture" }).click();
-  await expect(page.getByRole("heading", { name: "This shape is not bent" })).toHaveCount(0);
+  await expect(page.getByRole("heading", { name: "This shape is not deformed" })).toBeVisible();
+  await page.getByRole("button", { name: "Deform its picture" }).click();
+  await expect(page.getByRole("heading", { name: "This shape is not deformed" })).toHaveCount(0);
   expect((await studio.scene()).deform?.subject).toBe("picture");
   await page.getByRole("banner").getByRole("button", { name: "Undo" }).click();
   await page.getByRole("button", { name: "Back to Morph" }).click();

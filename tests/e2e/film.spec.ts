@@ -254,7 +254,7 @@ test("a bend is filmed once round; where nothing moves the way to it is offered"
   };
   await open();
   const dialog = page.getByRole("dialog", { name: "Export" });
-  await dialog.getByRole("button", { name: "Let it sway" }).click();
+  await dialog.getByRole("button", { name: "Use the motion Sway" }).click();
   await page.getByRole("button", { name: "Pause", exact: true }).click();
   await open();
   const small = { Width: "96", Height: "64", "Frames per second": "10", to: "1" };

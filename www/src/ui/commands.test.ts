@@ -25,7 +25,7 @@ const line = {
 const commands: Command[] = [
   ...timeCommands(line),
   { id: "hint", label: "A handle's own", group: "Handle", keys: ["Delete", "K"] },
-  { id: "key", label: "Add a key frame", group: "Time", keys: ["K"], run: () => {} },
+  { id: "key", label: "Add a keyframe", group: "Time", keys: ["K"], run: () => {} },
   { id: "colour", label: "Colour", group: "Picture", keys: ["1", "2"], run: () => {} },
   ...everywhere(),
 ];

@@ -11,6 +11,7 @@ import { gallery } from "./dialogs";
 import { unbent } from "./facts";
 import { hand } from "./mesh/handles/hand";
 import { gridShown } from "./mesh/shown";
+import * as messages from "./messages";
 import { addKey } from "./strip/TimeOptions";
 import { withColouring } from "./tint";
 
@@ -30,35 +31,35 @@ export const timeline: Timeline = {
     const moments = keys.map((key) => key.at);
     scrubPhase(nextKey(moments, phase, by, loop));
   },
-  stop: "key frame",
+  stop: messages.keyframe,
 };
 
-const SHAPE = "Shape and picture";
+const SHAPE = messages.shapeAndPicture;
 
 export const commands: readonly Command[] = [
-  { id: "key", label: "Add a key frame", group: "Time", keys: ["K"], run: addKey },
-  ...widgetKeys("Key frame, in focus", [
-    ["key-move", "Move in time; Shift finer, Alt farther", "←", "→"],
-    ["key-next", "To its neighbour", "[", "]"],
-    ["key-delete", "Delete it", "Delete", "−"],
+  { id: "key", label: messages.addKeyframe, group: messages.time, keys: ["K"], run: addKey },
+  ...widgetKeys(messages.keyframeFocused, [
+    ["key-move", messages.moveInTimeShift, "←", "→"],
+    ["key-next", messages.toNextOne, "[", "]"],
+    ["key-delete", messages.deleteLabel, messages.deleteLabel2, "−"],
   ]),
-  ...widgetKeys("Handle of the grid, in focus", [
-    ["handle-move", "Move it; Shift farther, Alt finer", "←", "→", "↑", "↓"],
-    ["handle-next", "To the handle before, after", "[", "]"],
-    ["handle-neighbour", "To its neighbour", "Ctrl+←"],
-    ["handle-choose", "Choose it, let it go", "Space"],
-    ["handle-all", "Choose all", "Ctrl+A"],
-    ["handle-back", "Put it back", "Delete"],
+  ...widgetKeys(messages.handleGridFocused, [
+    ["handle-move", messages.moveShiftCoarserAlt, "←", "→", "↑", "↓"],
+    ["handle-next", messages.toHandleBeforeOr, "[", "]"],
+    ["handle-neighbour", messages.toNextOne, "Ctrl+←"],
+    ["handle-choose", messages.selectDeselect, "Space"],
+    ["handle-all", messages.selectAll, "Ctrl+A"],
+    ["handle-back", messages.reset, messages.deleteLabel2],
   ]),
   galleryCommand(SHAPE, () => {
     gallery.value = true;
   }),
   handCommand(hand, ["move", "pull", "choose"], {
-    label: "What a drag does, the next, the one before: move, pull, select",
+    label: messages.nextOrPreviousDrag,
     group: SHAPE,
     enabled: () => gridShown.peek() && !unbent.peek(),
   }),
-  switchCommand(gridShown, { id: "hide", label: "Hide the grid, show it", group: SHAPE, keys: ["H"] }),
+  switchCommand(gridShown, { id: "hide", label: messages.hideOrShowGrid, group: SHAPE, keys: ["H"] }),
   fitCommand(),
   colourCommand(["map", "address", "density", "grid"], SHAPE, (colouring) =>
     edit((before) => withColouring(before, colouring, deformation.peek())),

@@ -1,13 +1,14 @@
 import type { ToolEntry } from "#stage/tool";
 import { loadBends } from "#wasm/bend";
 import { keepPhase } from "./keep";
+import * as messages from "./messages";
 
 export const deform: ToolEntry = {
   id: "deform",
-  label: "Deform",
-  title: "Frond: bend a fractal by a grid",
-  side: "Shape and grid",
+  label: messages.deform,
+  title: messages.frondDeformFractalWith,
+  side: messages.shapeAndGrid,
   tool: () => Promise.all([import("./tool"), loadBends()]).then(([module]) => module.tool),
   keepOnUndo: keepPhase,
-  missing: "The deformation grid could not be loaded",
+  missing: messages.deformationGridCouldNot,
 };

@@ -20,19 +20,19 @@ import { planeDrawer } from "#workers/film/plane-drawer";
 import { sheetDrawer } from "#workers/film/sheet-drawer";
 import type { Drawer, FrameLook } from "#workers/film/subject";
 import { unbent } from "./facts";
+import * as messages from "./messages";
 import { sway } from "./motion/MotionPanel";
 
 /** What stands there now is taken once: the document may change while the film is made. */
 export async function films(): Promise<Films> {
-  if (unbent.peek()) throw new Error("A shape of several states is not bent: its morph can be filmed.");
+  if (unbent.peek()) throw new Error(messages.shapeSeveralStatesCannot);
   const bent = deformation.peek();
   if (bent.keys.length < 2) {
     return {
       subjects: [],
       nothing: {
-        words:
-          "Nothing moves yet: one key frame stands still at all times. Choose a motion, or add another key frame.",
-        label: "Let it sway",
+        words: messages.nothingMovesYetSingle,
+        label: messages.useMotionSway,
         disabled: false,
         run: sway,
       },
@@ -68,7 +68,7 @@ export async function films(): Promise<Films> {
     subjects: [
       {
         id: "deform",
-        label: "The bend",
+        label: messages.deformation,
         name: `${plainName(shape, "shape", 24)}-bent`,
         seconds,
         anyLength: false,

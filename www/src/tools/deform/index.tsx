@@ -14,6 +14,7 @@ import { Start, StartOver } from "./start/Start";
 import { Unbent } from "./start/Unbent";
 import "#ui/panel/panel.css";
 import css from "./deform.module.css";
+import * as messages from "./messages";
 
 /** Everything beside the picture: what is bent, how its parts answer, how it moves, and its colours. */
 export function DeformPanel() {
@@ -34,10 +35,7 @@ export function DeformPanel() {
       <GridPanel />
       <ColourPanel />
       {ringed.value ? (
-        <p class="hint">
-          A closed curve has no pieces that could turn or come apart: it is bent place by place along its
-          length, and where two parts meet, they agree.
-        </p>
+        <p class="hint">{messages.closedCurveHasNo}</p>
       ) : (
         <div class={css["folds"]}>
           <SpinFold />

@@ -8,6 +8,7 @@ import { films } from "./film";
 import { DeformPanel } from "./index";
 import { DeformOverlay } from "./mesh/Overlay";
 import "./mesh/seen";
+import * as messages from "./messages";
 import { DeformStrip } from "./strip/DeformStrip";
 import { openPhotograph } from "./subject";
 
@@ -20,7 +21,7 @@ export const tool: Tool = {
   films,
   maps: () => [
     {
-      label: "Shape",
+      label: messages.shape,
       name: scene.peek().a.name,
       maps: standing.peek(),
       weights: ownWeights.peek(),

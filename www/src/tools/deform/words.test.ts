@@ -24,13 +24,13 @@ describe("holdWords", () => {
     expect(holdWords("average", "average")).toBe("averages with the smooth terms exact");
     expect(holdWords("auto", null)).toBe("automatic");
     expect(holdWords("corners", "corners")).toBe("shared corners");
-    expect(holdWords("corners", "raw")).toBe("nothing: shared corners cannot be had here");
+    expect(holdWords("corners", "raw")).toBe("none (not available here: shared corners)");
   });
 });
 
 it("says whether there is a key at the moment", () => {
   const keys = [0, 0.5].map((at) => ({ at, moves: [] }));
-  expect(momentWords({ ...AT_REST, keys, phase: 0.5 })).toBe("50%, key frame 2 of 2");
-  expect(momentWords({ ...AT_REST, keys, phase: 0.3 })).toBe("30%, between key frames");
+  expect(momentWords({ ...AT_REST, keys, phase: 0.5 })).toBe("50%, keyframe 2 of 2");
+  expect(momentWords({ ...AT_REST, keys, phase: 0.3 })).toBe("30%, between keyframes");
   expect(momentWords(AT_REST)).toBe("0%, nothing moves");
 });

@@ -14,22 +14,23 @@ import { MOST_ROUGHNESS } from "../changes";
 import deformCss from "../deform.module.css";
 import { deepest, ringed, rough } from "../facts";
 import { chosen } from "../mesh/handles/chosen";
+import * as messages from "../messages";
 import { DetailField, LocalityField } from "../settings/ScaleFields";
 import { blended, cornersOf, firstTint, isBlended, withColouring, withCorner } from "../tint";
 import { roughnessWords } from "../words";
 
 const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [
-  { value: "map", label: "Map", description: "One colour for each of the largest copies" },
-  { value: "address", label: "Address", description: "A shade for each copy of a copy" },
-  { value: "density", label: "Density", description: "Brighter where points fall more often" },
-  { value: "grid", label: "Grid", description: "Colours of the grid, handed on to all parts like the bend" },
+  { value: "map", label: messages.map, description: messages.oneColourForEach },
+  { value: "address", label: messages.address, description: messages.shadeForEachCopy },
+  { value: "density", label: messages.density, description: messages.brighterWhereMorePoints },
+  { value: "grid", label: messages.grid, description: messages.coloursGridPassedOn },
 ];
 
 /** A curve has edges in place of pieces. */
 const CURVE_COLOURINGS: typeof COLOURINGS = [
-  { value: "map", label: "Copies", description: "One colour for all copies of an arc" },
-  { value: "address", label: "Edges", description: "From edge to edge another colour" },
-  { value: "density", label: "Plain", description: "One colour" },
+  { value: "map", label: messages.copies, description: messages.oneColourForAll },
+  { value: "address", label: messages.edges, description: messages.coloursAlternateFromEdge },
+  { value: "density", label: messages.plain, description: messages.oneColour },
 ];
 
 const colouring = computed(() => scene.value.colouring);
@@ -42,9 +43,9 @@ const rows = computed(() => deformation.value.rows);
 export function ColourPanel() {
   if (subject.value === "picture") return null;
   return (
-    <section class="stack" aria-label="Colour">
+    <section class="stack" aria-label={messages.colour}>
       <ChoiceRow
-        label="Colour by"
+        label={messages.colourBy}
         value={ringed.value && colouring.value === "grid" ? "density" : colouring.value}
         options={ringed.value ? CURVE_COLOURINGS : COLOURINGS}
         onChange={(next) => edit((before) => withColouring(before, next, deformation.peek()))}
@@ -66,10 +67,10 @@ function changeTint(change: (tint: Tint) => Tint, gesture?: string): void {
 
 /** Upper ones first, as they are seen. */
 const CORNERS = [
-  { corner: 2, name: "Upper left" },
-  { corner: 3, name: "Upper right" },
-  { corner: 0, name: "Lower left" },
-  { corner: 1, name: "Lower right" },
+  { corner: 2, name: messages.upperLeft },
+  { corner: 3, name: messages.upperRight },
+  { corner: 0, name: messages.lowerLeft },
+  { corner: 1, name: messages.lowerRight },
 ] as const;
 
 function GridColours({ now }: { now: Tint }) {
@@ -96,10 +97,10 @@ function GridColours({ now }: { now: Tint }) {
       </div>
       <div class="row">
         {first === undefined ? (
-          <p class="hint">Choose handles on the grid to colour them one by one.</p>
+          <p class="hint">{messages.selectHandlesOnGrid}</p>
         ) : (
           <ColourField
-            label={some.length === 1 ? "The chosen handle" : `The ${some.length} chosen handles`}
+            label={some.length === 1 ? messages.selectedHandle : messages.selectedHandles(some.length)}
             value={now.colours[first] ?? GREY}
             onChange={(next) =>
               changeTint(
@@ -115,11 +116,11 @@ function GridColours({ now }: { now: Tint }) {
             icon="reset"
             onClick={() => changeTint((tint) => ({ ...tint, colours: blended(four, sides) }))}
           >
-            Blend the corners
+            {messages.blendCorners}
           </Button>
         )}
       </div>
-      <Fold title="How small parts take colour">
+      <Fold title={messages.howSmallPartsColoured}>
         <TintNumbers now={now} />
       </Fold>
     </>
@@ -130,21 +131,21 @@ function TintNumbers({ now }: { now: Tint }) {
   return (
     <div class="stack">
       <LocalityField
-        label="Locality of colours"
+        label={messages.localityColours}
         value={now.kb}
         ke={now.ke}
-        onChange={(kb) => changeTint((tint) => ({ ...tint, kb: Math.min(kb, tint.ke) }), "tint kb")}
+        onChange={(kb) => changeTint((tint) => ({ ...tint, kb: Math.min(kb, tint.ke) }), messages.tintKb)}
       />
       <SliderField
-        label="Roughness of colours"
+        label={messages.roughnessColours}
         symbol="δ"
         value={now.delta}
         max={MOST_ROUGHNESS}
         words={roughnessWords(now.delta, rough.value)}
-        onChange={(delta) => changeTint((tint) => ({ ...tint, delta }), "tint delta")}
+        onChange={(delta) => changeTint((tint) => ({ ...tint, delta }), messages.tintDelta)}
       />
       <DetailField
-        label="Detail of colours"
+        label={messages.detailColours}
         value={now.ke}
         deepest={deepest.value}
         onChange={(ke) => changeTint((tint) => ({ ...tint, ke, kb: Math.min(tint.kb, ke) }), "tint ke")}
@@ -153,7 +154,7 @@ function TintNumbers({ now }: { now: Tint }) {
         checked={now.superposed}
         onChange={(superposed) => changeTint((tint) => ({ ...tint, superposed }))}
       >
-        All scales together
+        {messages.allScalesTogether}
       </Switch>
     </div>
   );

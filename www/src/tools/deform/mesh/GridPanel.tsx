@@ -8,6 +8,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import type { Option } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import * as messages from "../messages";
 import { mesh } from "./document";
 import { resetAll } from "./edit";
 import { HandleFields } from "./handles/HandleFields";
@@ -16,10 +17,10 @@ import { gridShown } from "./shown";
 import { type Symmetry, symmetry } from "./symmetry";
 
 const SYMMETRIES: readonly Option<Symmetry>[] = [
-  { value: "off", label: "Off", description: "Each handle moves alone" },
-  { value: "sides", label: "Left, right", description: "The mirrored handle on the other side moves too" },
-  { value: "levels", label: "Up, down", description: "The mirrored handle above or below moves too" },
-  { value: "point", label: "Point", description: "The handle across the middle moves the opposite way" },
+  { value: "off", label: messages.off, description: messages.eachHandleMovesAlone },
+  { value: "sides", label: messages.leftRight, description: messages.mirroredHandleOnOther },
+  { value: "levels", label: messages.upDown, description: messages.mirroredHandleAboveOr },
+  { value: "point", label: messages.point, description: messages.handleAcrossCentreMoves },
 ];
 
 /** What is said of a grid that is folded over. */
@@ -38,7 +39,7 @@ const folded = computed(() => {
     }
     return to;
   });
-  return foldedWords(part, "All back");
+  return foldedWords(part, messages.resetAll);
 });
 
 const rests = computed(() => mesh.value.moves.every((x) => x === 0));
@@ -46,22 +47,22 @@ const rests = computed(() => mesh.value.moves.every((x) => x === 0));
 /** The grid itself: what is chosen in numbers, how the hand edits, how many handles there are. */
 export function GridPanel() {
   return (
-    <section class={`${css["grid-panel"]} stack`} aria-label="Grid">
+    <section class={`${css["grid-panel"]} stack`} aria-label={messages.grid}>
       <div class="section-head">
-        <h2>Grid</h2>
+        <h2>{messages.grid}</h2>
         <Switch
           checked={gridShown.value}
           onChange={(on) => {
             gridShown.value = on;
           }}
         >
-          Show it
+          {messages.showGrid}
         </Switch>
       </div>
       <HandleFields />
       <ChoiceRow
-        label="Mirror"
-        name="Mirror what is moved"
+        label={messages.mirror}
+        name={messages.mirrorMoves}
         options={SYMMETRIES}
         value={symmetry.value}
         onChange={(next) => {
@@ -69,10 +70,10 @@ export function GridPanel() {
         }}
       />
       <div class="row">
-        <Side of="columns" />
-        <Side of="rows" />
+        <Side of={messages.columns} />
+        <Side of={messages.rows} />
         <Button kind="quiet" disabled={rests.value} onClick={resetAll}>
-          All back
+          {messages.resetAll}
         </Button>
       </div>
       {folded.value && <p class="hint">{folded.value}</p>}
@@ -84,14 +85,14 @@ export function GridPanel() {
 function Side({ of }: { of: "columns" | "rows" }) {
   return (
     <NumberField
-      label={of === "columns" ? "Columns" : "Rows"}
+      label={of === "columns" ? messages.columns2 : messages.rows2}
       value={mesh.value[of]}
       min={LEAST_SIDE}
       max={MOST_SIDE}
       step={1}
       digits={2}
       onChange={(next) => {
-        if (!Number.isInteger(next)) return "A whole number, please.";
+        if (!Number.isInteger(next)) return messages.enterWholeNumber;
         changeDeformation(
           (d) => remesh(d, of === "columns" ? next : d.columns, of === "rows" ? next : d.rows),
           { gesture: `mesh ${of}` },

@@ -5,6 +5,7 @@ import { type Screen, screen } from "#geometry/coordinates";
 import { stageSize } from "#stage/view";
 import { useOwnId } from "#ui/id";
 import { unbent } from "../facts";
+import * as messages from "../messages";
 import { mesh } from "./document";
 import { chosen, lead } from "./handles/chosen";
 import { HandBar } from "./handles/HandBar";
@@ -50,7 +51,7 @@ function Handles() {
   const { columns, rows } = mesh.value;
   return (
     // biome-ignore lint/a11y/useSemanticElements: a fieldset is for forms
-    <div role="group" aria-label={`Grid of ${columns} by ${rows} handles`}>
+    <div role="group" aria-label={messages.gridOf(columns, rows)}>
       <p id={hint} class="unseen">
         {HINT}
       </p>

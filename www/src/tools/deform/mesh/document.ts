@@ -5,6 +5,7 @@ import { keyNear, MOST_KEYS, withMoves } from "#document/deform/keys";
 import { notify } from "#document/notice";
 import { type Mesh, sizeOf } from "#geometry/mesh";
 import { effectiveView } from "#stage/view";
+import * as messages from "../messages";
 
 export const mesh: ReadonlySignal<Mesh> = computed(() => {
   const { columns, rows, box, keys, phase, loop } = deformation.value;
@@ -26,7 +27,7 @@ export function setMoves(moves: readonly number[], gesture?: string): void {
   if (keyNear(now, now.phase) < 0 && now.keys.length >= MOST_KEYS) {
     notify({
       kind: "info",
-      text: `There are ${MOST_KEYS} key frames, and no more can be made. Go to one of them, or remove one, to bend the grid.`,
+      text: messages.mostKeys(MOST_KEYS),
     });
     return;
   }

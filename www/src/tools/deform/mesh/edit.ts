@@ -2,6 +2,7 @@
 
 import { announce } from "#document/notice";
 import type { Point } from "#geometry/mesh";
+import * as messages from "../messages";
 import { mesh, setMoves } from "./document";
 import { chosen, lead } from "./handles/chosen";
 import { pullMoves } from "./pull";
@@ -39,13 +40,13 @@ export function resetChosen(): void {
   const all = chosen.peek().size > 0 ? [...chosen.peek()] : [lead.peek()];
   const by = symmetry.peek();
   reset(new Set(all.flatMap((index) => [index, partner(mesh.peek(), index, by)])));
-  announce(all.length === 1 ? "Put back." : `${all.length} handles put back.`);
+  announce(all.length === 1 ? messages.handleReset : messages.handlesReset(all.length));
 }
 
 /** Puts all handles back at the present moment. */
 export function resetAll(): void {
   reset(new Set(mesh.peek().moves.keys()));
-  announce("All handles put back.");
+  announce(messages.allHandlesReset);
 }
 
 function reset(handles: ReadonlySet<number>): void {

@@ -10,6 +10,7 @@ import { placeAt } from "#geometry/bezier";
 import { type Screen, screen } from "#geometry/coordinates";
 import type { Point } from "#geometry/mesh";
 import { effectiveView } from "#stage/view";
+import * as messages from "../messages";
 import { mesh, setMoves } from "./document";
 import { pulled, shifted } from "./edit";
 import { choose, chosen, clearChosen, toggle } from "./handles/chosen";
@@ -156,7 +157,9 @@ export function attachPointer(pane: HTMLElement, root: HTMLElement): () => void 
       if (!moved) clearChosen();
       const [first] = chosen.peek();
       if (moved && first !== undefined) focusHandle(first);
-      announce(chosen.peek().size === 0 ? "Nothing chosen." : `${chosen.peek().size} handles chosen.`);
+      announce(
+        chosen.peek().size === 0 ? messages.nothingSelected : messages.handlesSelected(chosen.peek().size),
+      );
     }
   };
 

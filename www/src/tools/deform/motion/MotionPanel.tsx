@@ -6,6 +6,7 @@ import { Button } from "#ui/controls/Button";
 import { narrow } from "#ui/media";
 import { pausePhase, playPhase, presentPhase } from "../clock";
 import deformCss from "../deform.module.css";
+import * as messages from "../messages";
 import { MOTIONS, type Motion, motionOf, withMotion } from "../start/motions";
 import { TimeOptions } from "../strip/TimeOptions";
 
@@ -21,10 +22,10 @@ const now = computed(() => {
 /** Motions to begin with, and, where the strip has no room for it, what belongs to time. */
 export function MotionPanel() {
   return (
-    <section class="stack" aria-label="Motion">
+    <section class="stack" aria-label={messages.motion}>
       <div class="section-head">
-        <h2>Motion</h2>
-        <span class="hint">{now.value === null ? `${keys.value.length} key frames of your own` : ""}</span>
+        <h2>{messages.motion}</h2>
+        <span class="hint">{now.value === null ? messages.ownKeys(keys.value.length) : ""}</span>
       </div>
       <div class={deformCss["motion-list"]}>
         {MOTIONS.map((motion) => (
@@ -59,12 +60,12 @@ function apply({ id, name, about }: Motion): void {
   phasePlaying.value = false;
   changeDeformation((d) => withMotion(d, id));
   if (id === "still") {
-    announce("Still: one grid for all times.");
+    announce(messages.stillOneGridFor);
     return;
   }
   const { keys, seconds, spin } = deformation.peek();
-  const turns = id === "sway" && spin === "scaled" ? " Every part sways about its own stem." : "";
-  const hint = reducedMotion.peek() ? " Press Play to see it." : "";
-  announce(`${name}: ${about}. ${keys.length} key frames in ${seconds} seconds.${turns}${hint}`);
+  const turns = id === "sway" && spin === "scaled" ? messages.everyPartSwaysAbout : "";
+  const hint = reducedMotion.peek() ? messages.pressPlayToSee : "";
+  announce(messages.motionIs(name, about, keys.length, seconds, turns, hint));
   presentPhase();
 }

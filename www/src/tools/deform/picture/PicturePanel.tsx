@@ -4,6 +4,7 @@ import { Button } from "#ui/controls/Button";
 import { FileButton } from "#ui/files/FileButton";
 import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
+import * as messages from "../messages";
 import css from "./picture.module.css";
 import { takeFile, takeSample } from "./take";
 
@@ -13,26 +14,27 @@ const ACCEPT = "image/png,image/jpeg,image/webp,image/avif,image/gif,image/bmp";
 export function PicturePanel() {
   const shown = photograph.value;
   return (
-    <section class={`${css["picture-panel"]} stack`} aria-label="Your picture">
+    <section class={`${css["picture-panel"]} stack`} aria-label={messages.yourPicture}>
       <SubjectCard
         picture={<Thumbnail bitmap={useThumbnail(shown)} />}
-        name={shown?.name ?? "Drawing the sample …"}
-        about={shown ? `${shown.width} × ${shown.height} pixels` : ""}
+        name={shown?.name ?? messages.drawingSample}
+        about={shown ? messages.pixels(shown.width, shown.height) : ""}
       />
       <div class={css["picture-buttons"]}>
-        <FileButton label="Picture file" accept={ACCEPT} onFile={(file) => void takeFile(file, file.name)}>
-          Choose a picture
+        <FileButton
+          label={messages.pictureFile}
+          accept={ACCEPT}
+          onFile={(file) => void takeFile(file, file.name)}
+        >
+          {messages.choosePicture}
         </FileButton>
         {ownPicture.value && (
           <Button kind="quiet" onClick={takeSample}>
-            Back to the sample
+            {messages.backToSample}
           </Button>
         )}
       </div>
-      <p class="hint">
-        Or drop one on the stage, or paste it. It stays in this page: nothing is uploaded, and a link does not
-        hold it.
-      </p>
+      <p class="hint">{messages.orDropOneOn}</p>
     </section>
   );
 }

@@ -4,6 +4,7 @@ import { announce, notify } from "#document/notice";
 import { smallBitmap } from "#workers/image/decode";
 import { HEAD_BYTES, type Header, readHeader } from "#workers/image/header";
 import { inBox } from "../changes";
+import * as messages from "../messages";
 import { damaged, kept, LONGEST, refusal, shortName } from "./words";
 
 let latest = 0;
@@ -21,7 +22,7 @@ export async function takeFile(file: Blob, given: string): Promise<void> {
       return;
     }
     const photograph = await decode(file, name, header);
-    if (turn === latest) show(photograph, `${name} is on the stage.`);
+    if (turn === latest) show(photograph, messages.nowOnStage(name));
   } catch {
     if (turn === latest) refuse(damaged(name));
   }
@@ -30,7 +31,7 @@ export async function takeFile(file: Blob, given: string): Promise<void> {
 /** Goes back to the sample. */
 export function takeSample(): void {
   latest++;
-  show(null, "The sample is on the stage.");
+  show(null, messages.sampleOnStage);
 }
 
 function refuse(text: string): void {
@@ -62,7 +63,7 @@ async function decode(file: Blob, name: string, { kind, size }: Header): Promise
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext("2d", { willReadFrequently: true });
-  if (!context) throw new Error("no canvas");
+  if (!context) throw new Error(messages.noCanvas);
   context.drawImage(bitmap, 0, 0);
   bitmap.close();
   return { pixels: context.getImageData(0, 0, width, height).data, width, height, name };

@@ -13,7 +13,7 @@ function png(width: number, height: number): Uint8Array {
 }
 
 test("a picture of 100 megapixels is refused with the limit, one of 64 is not", () => {
-  expect(refusal("a.png", png(10_000, 10_000))).toMatch(/10,000 × 10,000 .* 100 megapixels\. Up to 64 /);
+  expect(refusal("a.png", png(10_000, 10_000))).toMatch(/10,000 × 10,000 .* 100 megapixels\. The limit is 64 /);
   expect(refusal("a.png", png(8000, 8000))).toBeNull();
   expect(refusal("a.png", png(8000, 8001))).not.toBeNull();
   expect(refusal("a.png", png(0xffffffff, 0xffffffff))).toMatch(/megapixels/);
@@ -21,7 +21,7 @@ test("a picture of 100 megapixels is refused with the limit, one of 64 is not", 
 
 test("what is no picture is told from one that ends too soon", () => {
   const text = (words: string) => new TextEncoder().encode(words);
-  expect(refusal("a.svg", text("<svg/>"))).toMatch(/save it as PNG/);
+  expect(refusal("a.svg", text("<svg/>"))).toMatch(/Save it as PNG/);
   expect(refusal("notes.png", text("milk, bread"))).toMatch(/PNG, JPEG, WebP/);
   // A photograph of a phone, whatever it is called.
   expect(refusal("leaf.jpg", text("\0\0\0\x18ftypheic"))).toMatch(

@@ -11,6 +11,7 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { MOST_ROUGHNESS, withCorners, withDetail, withLocality } from "../changes";
 import deformCss from "../deform.module.css";
 import { deepest, problem, rough } from "../facts";
+import * as messages from "../messages";
 import { roughnessWords } from "../words";
 import { PlainButton } from "./PlainButton";
 import { DetailField, LocalityField } from "./ScaleFields";
@@ -23,26 +24,26 @@ const superposed = computed(() => deformation.value.superposed);
 /** How the displacements are handed on to the small parts. */
 export function BendPanel() {
   return (
-    <section class="stack" aria-label="Bend">
+    <section class="stack" aria-label={messages.deformation2}>
       <div class="section-head">
-        <h2>How the parts answer</h2>
+        <h2>{messages.howPartsRespond}</h2>
         <PlainButton />
       </div>
       <Locality />
       <Roughness />
       <Detail />
       <ChoiceRow
-        label="Scales"
+        label={messages.scales}
         value={superposed.value ? "all" : "last"}
         options={[
-          { value: "all", label: "All together", description: "The sum of all scales, kb to ke" },
-          { value: "last", label: "Smallest only", description: "Only the last shuffle, down to ke" },
+          { value: "all", label: messages.allTogether, description: messages.sumAllScalesKb },
+          { value: "last", label: messages.smallestOnly, description: messages.onlyLastShuffleDown },
         ]}
         onChange={(next) => changeDeformation((d) => ({ ...d, superposed: next === "all" }))}
       />
       {problem.value !== null && (
         <p class={deformCss["bend-problem"]} role="alert">
-          {problem.value} <span class="dim">What is shown is the last that worked.</span>
+          {problem.value} <span class="dim">{messages.thisShowsLastSettings}</span>
         </p>
       )}
     </section>
@@ -52,10 +53,10 @@ export function BendPanel() {
 function Locality() {
   return (
     <LocalityField
-      label="Locality"
+      label={messages.locality}
       value={kb.value}
       ke={ke.value}
-      ends={["scattered: every part answers", "plain"]}
+      ends={[messages.scatteredEveryPartResponds, "plain"]}
       onChange={(next) => changeDeformation((d) => withLocality(d, next), { gesture: "kb" })}
     />
   );
@@ -65,10 +66,10 @@ function Detail() {
   const wished = useRef<number | null>(null);
   return (
     <DetailField
-      label="Detail"
+      label={messages.detail}
       value={ke.value}
       deepest={deepest.value}
-      ends={["the whole", "the smallest parts"]}
+      ends={[messages.fullShape, messages.smallestParts]}
       onChange={(next) => {
         wished.current ??= kb.peek();
         const wish = wished.current;
@@ -83,10 +84,10 @@ function Detail() {
 
 /** Upper ones first, as they are seen: their places in the list of four. */
 const CORNERS = [
-  { index: 2, name: "Upper left" },
-  { index: 3, name: "Upper right" },
-  { index: 0, name: "Lower left" },
-  { index: 1, name: "Lower right" },
+  { index: 2, name: messages.upperLeft },
+  { index: 3, name: messages.upperRight },
+  { index: 0, name: messages.lowerLeft },
+  { index: 1, name: messages.lowerRight },
 ] as const;
 
 function Roughness() {
@@ -96,7 +97,7 @@ function Roughness() {
       {Array.isArray(now) ? (
         <fieldset class={deformCss["corners"]}>
           <legend class="row-name">
-            Roughness <span class="symbol">δ</span>
+            {messages.roughness} <span class="symbol">δ</span>
           </legend>
           {CORNERS.map(({ index, name }) => (
             <NumberField
@@ -122,8 +123,8 @@ function Roughness() {
         </fieldset>
       ) : (
         <SliderField
-          label="Roughness"
-          symbol="δ"
+          label={messages.roughness}
+          symbol={messages.text}
           value={now}
           max={MOST_ROUGHNESS}
           words={roughnessWords(now, rough.value)}
@@ -133,17 +134,17 @@ function Roughness() {
           {rough.value < MOST_ROUGHNESS && (
             <SliderMark
               at={rough.value / MOST_ROUGHNESS}
-              title={`From ${formatNumber(rough.value, 2)} on it is rough: each scale answers more than it is smaller`}
+              title={messages.roughFrom(formatNumber(rough.value, 2))}
             />
           )}
         </SliderField>
       )}
       <Switch
         checked={Array.isArray(now)}
-        description="Four numbers, blended over the shape"
+        description={messages.fourNumbersBlendedAcross}
         onChange={(apart) => changeDeformation((d) => withCorners(d, apart))}
       >
-        Differs from corner to corner
+        {messages.variesByCorner}
       </Switch>
     </div>
   );

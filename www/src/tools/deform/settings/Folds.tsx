@@ -2,6 +2,7 @@ import { computed } from "@preact/signals";
 import { changeDeformation, deformation } from "#document/deform/bend";
 import { Fold } from "#ui/panel/Fold";
 import { facts } from "../facts";
+import * as messages from "../messages";
 import { HOLDS, holdWords, SPINS } from "../words";
 import { Choices } from "./Choices";
 
@@ -12,9 +13,9 @@ const continuity = computed(() => deformation.value.continuity);
 export function SpinFold() {
   const now = SPINS.find(({ value }) => value === spin.value);
   return (
-    <Fold title="Turning in the pieces" now={now?.label.toLowerCase()}>
+    <Fold title={messages.rotationInPieces} now={now?.label.toLowerCase()}>
       <Choices
-        label="Turning in the pieces"
+        label={messages.rotationInPieces}
         options={SPINS}
         value={spin.value}
         onChange={(next) => changeDeformation((d) => ({ ...d, spin: next }))}
@@ -27,9 +28,9 @@ export function SpinFold() {
 export function ContinuityFold() {
   const got = facts.value?.continuity ?? null;
   return (
-    <Fold title="Kept together by" now={holdWords(continuity.value, got)}>
+    <Fold title={messages.continuity} now={holdWords(continuity.value, got)}>
       <Choices
-        label="Kept together by"
+        label={messages.continuity}
         options={HOLDS}
         value={continuity.value}
         onChange={(next) => changeDeformation((d) => ({ ...d, continuity: next }))}

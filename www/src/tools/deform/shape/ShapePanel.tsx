@@ -22,6 +22,7 @@ import { choose, inBox, onPath, sameBox, sameShapes } from "../changes";
 import deformCss from "../deform.module.css";
 import { gallery } from "../dialogs";
 import { around } from "../facts";
+import * as messages from "../messages";
 import { PicturePanel } from "../picture/PicturePanel";
 import { setSubject } from "../subject";
 
@@ -37,13 +38,13 @@ const t = computed(() => scene.value.t);
 /** What is bent: a shape, the morph as it stands, or a picture. */
 export function ShapePanel() {
   return (
-    <section class={`${deformCss["shape-panel"]} stack`} aria-label="What is bent">
+    <section class={`${deformCss["shape-panel"]} stack`} aria-label={messages.subject}>
       <Segmented
-        label="What is bent"
+        label={messages.subject}
         value={subject.value}
         options={[
-          { value: "shape", label: "A shape" },
-          { value: "picture", label: "A picture" },
+          { value: "shape", label: messages.shape },
+          { value: "picture", label: messages.picture },
         ]}
         onChange={setSubject}
       />
@@ -54,10 +55,10 @@ export function ShapePanel() {
           icon="whole"
           onClick={() => {
             changeDeformation((d) => inBox(d, around.peek()));
-            announce(`The grid is around the ${subject.peek()} again.`);
+            announce(messages.gridAround(subject.peek()));
           }}
         >
-          Fit the grid to the {subject.value}
+          {messages.fitGrid(subject.value)}
         </Button>
       )}
     </section>
@@ -69,8 +70,8 @@ function Picture() {
     <>
       <PicturePanel />
       <ChoiceRow
-        label="Taken apart into"
-        name="Parts each way"
+        label={messages.splitInto}
+        name={messages.partsEachWay}
         value={parts.value === 2 ? "2" : "3"}
         options={[
           { value: "2", label: "2 × 2" },
@@ -83,7 +84,7 @@ function Picture() {
 }
 
 /** Of a curve whose knots are not read yet nothing is counted. */
-const knotsNote = (count: number) => (count === 0 ? "closed curve" : `closed curve, ${count} knots`);
+const knotsNote = (count: number) => (count === 0 ? messages.closedCurve : messages.curveOf(count));
 
 function Shape() {
   const ends = curves.value;
@@ -108,9 +109,9 @@ function Shape() {
             />
           )
         }
-        name={between ? `${name} to ${last}` : name}
-        about={between ? `the morph at ${formatNumber(100 * t.value, 1)}%` : still}
-        label={`${between ? `Between ${name} and ${last}` : name}. Choose another shape`}
+        name={between ? messages.fromTo(name, last) : name}
+        about={between ? messages.morphAt(formatNumber(100 * t.value, 1)) : still}
+        label={messages.chooseAnother(between ? messages.betweenShapes(name, last) : name)}
         onChoose={() => {
           gallery.value = true;
         }}
@@ -120,7 +121,7 @@ function Shape() {
           <div class={deformCss["morph-time"]}>
             <span class="row-name">{name}</span>
             <Slider
-              label={`Morph from ${name} to ${last}`}
+              label={messages.morphFrom(name, last)}
               value={t.value}
               valueText={`${formatNumber(100 * t.value, 1)}%`}
               onChange={(next) => {
@@ -134,10 +135,10 @@ function Shape() {
           {bent.value && (
             <Switch
               checked={on.value}
-              description="What is bent here is bent while the morph plays, too"
+              description={messages.morphThenShowsThis}
               onChange={(next) => changeDeformation((d) => ({ ...d, on: next }))}
             >
-              Bend it in the morph, too
+              {messages.deformInMorphToo}
             </Switch>
           )}
         </>
@@ -157,15 +158,15 @@ export function Gallery() {
   if (!gallery.value) return null;
   return (
     <PresetGallery
-      title="A shape to bend"
-      about="The grid is put around it. Shape A of the morph becomes it, too."
+      title={messages.chooseShapeToDeform}
+      about={messages.gridPlacedAroundAlso}
       end="bent"
       now={a.value}
       onChoose={(shape) => {
         const before = scene.peek();
         edit((now) => choose(now, shape, boxAround(shape.maps)));
         tellReplaced(before, "bent");
-        announce(`${shape.name}, with the grid around it.`);
+        announce(messages.withGrid(shape.name));
       }}
       onClose={() => {
         gallery.value = false;

@@ -16,6 +16,7 @@ import { isAtRest } from "../changes";
 import { presentPhase } from "../clock";
 import deformCss from "../deform.module.css";
 import { maps, ringed } from "../facts";
+import * as messages from "../messages";
 import { exampleOf } from "./examples";
 import { hullOf } from "./hull";
 
@@ -27,10 +28,10 @@ export function Start() {
   return (
     <div class={deformCss["start"]}>
       <p>
-        <strong>Drag a point of the grid.</strong> Every part, at every scale, answers with it.
+        <strong>{messages.dragPointGrid}</strong> {messages.everyPartAtEvery}
       </p>
       <Button kind="primary" onClick={showMe}>
-        Show me
+        {messages.showMe}
       </Button>
     </div>
   );
@@ -40,7 +41,7 @@ export function Start() {
 export function StartOver() {
   return (
     <Button kind="quiet" icon="reset" disabled={rests.value} onClick={startOver}>
-      Start over
+      {messages.startOver}
     </Button>
   );
 }
@@ -68,5 +69,5 @@ function startOver(): void {
     const moves = new Array<number>(2 * deform.columns * deform.rows).fill(0);
     return { ...rest, deform: { ...deform, keys: [{ at: 0, moves }], phase: 0 } };
   });
-  announce("The grid is at rest.");
+  announce(messages.gridAtRest);
 }

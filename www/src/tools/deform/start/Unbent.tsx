@@ -3,6 +3,7 @@ import { announce } from "#document/notice";
 import { openTool } from "#document/tool";
 import { Button } from "#ui/controls/Button";
 import { PanelFoot } from "#ui/panel/PanelFoot";
+import * as messages from "../messages";
 import { bendItsPicture } from "./picture-of-states";
 
 /** Why a graph-directed shape is not bent, and what can be done. */
@@ -11,28 +12,24 @@ export function Unbent() {
     <div class="panel">
       <section class="stack" aria-labelledby="unbent">
         <header class="section-head">
-          <h2 id="unbent">This shape is not bent</h2>
+          <h2 id="unbent">{messages.thisShapeNotDeformed}</h2>
         </header>
-        <p>
-          It has several states. The bend turns a part of each address round (Fujimoto, equations 5 and 6),
-          and in a graph what is read the other way need not lead anywhere. Its picture is bent, as a
-          photograph is: cut into parts of its own, and those into parts.
-        </p>
+        <p>{messages.hasSeveralStatesDeformation}</p>
         <div class="row">
           <Button kind="primary" icon="grid" onClick={() => void bendItsPicture()}>
-            Bend its picture
+            {messages.deformPicture}
           </Button>
           <Button icon="back" onClick={() => openTool("morph")}>
-            Back to Morph
+            {messages.backToMorph}
           </Button>
           <Button
             kind="quiet"
             onClick={() => {
               backToSystems();
-              announce("The systems of maps are back.");
+              announce(messages.backToSystemsMaps);
             }}
           >
-            Bend the system of maps instead
+            {messages.deformSystemMapsInstead}
           </Button>
         </div>
       </section>

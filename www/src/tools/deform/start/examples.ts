@@ -2,6 +2,7 @@
 
 import { type Point, rest, rounder } from "#geometry/mesh";
 import type { BoundingBox, Deformation, Shape } from "#wasm/api";
+import * as messages from "../messages";
 import { withMotion } from "./motions";
 
 /** Shapes that grow from the ground. */
@@ -24,12 +25,12 @@ export function exampleOf(
   if (shape.preset !== undefined && GROWN.includes(shape.preset))
     return {
       deformation: withMotion(flat(plain), "sway"),
-      words: "It sways, and every part of it sways about its own stem.",
+      words: messages.swaysAndEveryPart,
       moves: true,
     };
   return {
     deformation: { ...lifted(plain, hull), spin: "none" },
-    words: "One side is lifted in the middle, and every part at every scale is lifted with it.",
+    words: messages.oneSideLiftedIn,
     moves: false,
   };
 }

@@ -3,6 +3,7 @@
 import { movesAt } from "#document/deform/bend";
 import { type Mesh, rest, rounder } from "#geometry/mesh";
 import type { Deformation, DeformKey } from "#wasm/api";
+import * as messages from "../messages";
 
 export { rounder } from "#geometry/mesh";
 
@@ -16,11 +17,11 @@ export interface Motion {
 }
 
 export const MOTIONS: readonly Motion[] = [
-  { id: "sway", name: "Sway", about: "The upper rows swing to and fro, as in wind; the lowest stays" },
-  { id: "breathe", name: "Breathe", about: "All points go out from the middle, and in again" },
-  { id: "wave", name: "Wave", about: "A wave runs along the grid" },
-  { id: "corner", name: "Pull a corner", about: "The upper right corner is pulled out, and let go" },
-  { id: "still", name: "Still", about: "One grid for all times: the one that is shown" },
+  { id: "sway", name: messages.sway, about: messages.upperRowsSwingBack },
+  { id: "breathe", name: messages.breathe, about: messages.allPointsMoveOut },
+  { id: "wave", name: messages.wave, about: messages.waveRunsAlongGrid },
+  { id: "corner", name: messages.pullCorner, about: messages.upperRightCornerPulled },
+  { id: "still", name: messages.still, about: messages.oneGridForAll },
 ];
 
 type Sides = Pick<Mesh, "columns" | "rows" | "box">;

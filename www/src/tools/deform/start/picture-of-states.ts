@@ -9,6 +9,7 @@ import { scene } from "#document/scene";
 import { directedBoxAt, endsOf } from "#document/stand-in";
 import { directedLook } from "#stage/directed/options";
 import { directedTask } from "#workers/directed/client";
+import * as messages from "../messages";
 
 /** Pixels of the longer side, and of the margin that the bend pulls into. */
 const SIDE = 1440;
@@ -35,6 +36,6 @@ export async function bendItsPicture(): Promise<void> {
     const { a, b } = endsOf(scene.peek());
     bendPicture({ pixels, width, height, name: moment.t < 0.5 ? a.name : b.name });
   } catch (problem) {
-    notify({ kind: "error", text: `Its picture could not be drawn: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.notDrawn(wordsOf(problem)) });
   }
 }

@@ -6,6 +6,7 @@ import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
 import { pausePhase, playPhase, scrubPhase } from "../clock";
 import { unbent } from "../facts";
+import * as messages from "../messages";
 import { Keys } from "./Keys";
 import css from "./strip.module.css";
 import { TimeOptions } from "./TimeOptions";
@@ -17,12 +18,12 @@ export function DeformStrip() {
   if (unbent.value) return null;
   const { phase } = deformation.value;
   return (
-    <section class="strip" aria-label="Time">
+    <section class="strip" aria-label={messages.time}>
       <Play />
       <div class={`strip-film ${css["key-film"]}`}>
         <Slider
           class="key-scrub"
-          label="Time"
+          label={messages.time}
           value={phase}
           step={0.01}
           valueText={momentWords(deformation.value)}
@@ -42,7 +43,7 @@ function Play() {
     <PlayButton
       playing={on}
       onToggle={() => (on ? pausePhase() : playPhase())}
-      still={still ? "one key frame does not move: choose a motion, or add another" : undefined}
+      still={still ? messages.singleKeyframeDoesNot : undefined}
     />
   );
 }

@@ -4,6 +4,7 @@ import { keyNear } from "#document/deform/keys";
 import { KeyTrack } from "#ui/strip/KeyTrack";
 import { withKey, withKeyAt } from "../changes";
 import { pausePhase, scrubPhase } from "../clock";
+import * as messages from "../messages";
 import { MeshIcon } from "./MeshIcon";
 import css from "./strip.module.css";
 import { removeKey } from "./TimeOptions";
@@ -33,7 +34,7 @@ export function Keys() {
   const all = keys.value;
   return (
     <KeyTrack
-      label="Key frames"
+      label={messages.keyframes}
       keys={all}
       length={1}
       here={all.length > 1 ? here.value : -1}
@@ -43,12 +44,12 @@ export function Keys() {
         const at = all[index]?.at ?? 0;
         return {
           role: "slider",
-          "aria-label": `Key frame ${index + 1} of ${all.length}`,
+          "aria-label": messages.keyOf(index + 1, all.length),
           "aria-valuenow": Math.round(1000 * at) / 10,
           "aria-valuemin": 0,
           "aria-valuemax": 100,
           "aria-valuetext": percentWords(at),
-          title: `Key frame ${index + 1}, at ${percentWords(at)}`,
+          title: messages.keyAt(index + 1, percentWords(at)),
         };
       }}
       go={go}
@@ -57,9 +58,7 @@ export function Keys() {
       add={add}
       Picture={MeshIcon}
     >
-      {all.length === 1 && (
-        <p class={css["keys-hint"]}>One grid for all times. Choose a motion, or add key frames.</p>
-      )}
+      {all.length === 1 && <p class={css["keys-hint"]}>{messages.oneGridForAllTimes}</p>}
     </KeyTrack>
   );
 }

@@ -7,6 +7,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { PercentField } from "#ui/strip/PercentField";
 import { withKey, withKeyAt, withLoop, withoutKey } from "../changes";
 import { pausePhase, scrubPhase } from "../clock";
+import * as messages from "../messages";
 import css from "./strip.module.css";
 import { percentWords } from "./words";
 
@@ -15,10 +16,10 @@ export function TimeOptions() {
   const { phase, seconds, loop } = deformation.value;
   return (
     <div class={css["time-options"]}>
-      <PercentField label="Time in percent" value={phase} onChange={scrubPhase} />
+      <PercentField label={messages.timeInPercent} value={phase} onChange={scrubPhase} />
       <NumberField
         terse
-        label="Seconds once through"
+        label={messages.durationInSeconds}
         value={seconds}
         min={0.5}
         max={60}
@@ -30,7 +31,7 @@ export function TimeOptions() {
       />
       <IconButton
         icon="loop"
-        label="Round and round"
+        label={messages.loop}
         kind="quiet"
         pressed={loop}
         onClick={() => changeDeformation((d) => withLoop(d, !d.loop))}
@@ -54,21 +55,17 @@ function KeyOptions() {
         class={css["key-add"]}
         icon="add"
         disabled={keys.length >= MOST_KEYS}
-        description={
-          keys.length >= MOST_KEYS
-            ? `There are ${MOST_KEYS} key frames already`
-            : "Keep the grid of this moment"
-        }
+        description={keys.length >= MOST_KEYS ? messages.keysFull(MOST_KEYS) : messages.keepGridThisMoment}
         command="key"
         onClick={addKey}
       >
-        Add key frame
+        {messages.addKeyframe2}
       </Button>
     );
   return (
     <div class={css["key-options"]}>
       <NumberField
-        label={`Key ${near + 1} of ${keys.length}`}
+        label={messages.key(near + 1, keys.length)}
         value={100 * key.at}
         min={0}
         max={100}
@@ -83,7 +80,7 @@ function KeyOptions() {
       />
       <IconButton
         icon="bin"
-        label={`Delete key frame ${near + 1}`}
+        label={messages.deleteKey(near + 1)}
         kind="quiet"
         disabled={alone}
         onClick={() => removeKey(near)}
@@ -99,14 +96,12 @@ export function addKey(): void {
   changeDeformation((d) => withKey(d, d.phase, movesAt(d.keys, d.phase, d.loop)));
   const after = deformation.peek();
   if (after === before) return;
-  announce(
-    `Key frame at ${percentWords(after.phase)}, ${keyNear(after, after.phase) + 1} of ${after.keys.length}.`,
-  );
+  announce(messages.keyIsAt(percentWords(after.phase), keyNear(after, after.phase) + 1, after.keys.length));
 }
 
 export function removeKey(index: number): void {
   if (deformation.peek().keys.length < 2) return;
   pausePhase();
   changeDeformation((d) => withoutKey(d, index));
-  announce(`Key frame ${index + 1} deleted. ${deformation.peek().keys.length} left.`);
+  announce(messages.keyDeleted(index + 1, deformation.peek().keys.length));
 }

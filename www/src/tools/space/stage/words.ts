@@ -5,7 +5,7 @@ import type { Painted } from "./surface/painter";
 /** How much of the picture is there. */
 export function statusWords(painted: Pick<Painted, "backend" | "complete" | "settled" | "points">): string {
   const { backend, complete, settled, points } = painted;
-  if (backend === null) return "Getting ready …";
+  if (backend === null) return "Preparing …";
   if (complete) return settled ? "Complete picture" : "Complete picture, smoothing …";
   if (backend === "canvas") return "Coarse picture";
   return points > 0 ? `${countWords(points)} points, completing …` : "Drawing …";

@@ -1,17 +1,18 @@
 import { IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
+import * as messages from "../../messages";
 import { resetChosen } from "../edit";
 import meshCss from "../mesh.module.css";
 import { chosen } from "./chosen";
 import { type Hand, hand } from "./hand";
 
 const HANDS: readonly { value: Hand; label: string; description: string }[] = [
-  { value: "move", label: "Move", description: "A drag beside the handles moves the picture" },
-  { value: "pull", label: "Pull", description: "A drag anywhere pulls at the grid there; Alt does the same" },
+  { value: "move", label: messages.move, description: messages.dragBesideHandlesTo },
+  { value: "pull", label: messages.pull, description: messages.dragAnywhereToPull },
   {
     value: "choose",
-    label: "Select",
-    description: "A drag draws a frame that chooses the handles in it; Shift does the same",
+    label: messages.select,
+    description: messages.dragFrameToSelect,
   },
 ];
 
@@ -22,12 +23,12 @@ export function HandBar() {
       {chosen.value.size > 0 && (
         <IconButton
           icon="reset"
-          label={chosen.value.size === 1 ? "Put the handle back" : "Put the chosen handles back"}
+          label={chosen.value.size === 1 ? messages.resetHandle : messages.resetSelectedHandles}
           onClick={resetChosen}
         />
       )}
       <Segmented
-        label="What a drag on the picture does"
+        label={messages.dragMode}
         options={HANDS}
         value={hand.value}
         onChange={(next) => {

@@ -3,16 +3,17 @@
 import { announce } from "#document/notice";
 import { type Mesh, type Point, sizeOf } from "#geometry/mesh";
 import { latinKey } from "#ui/focus";
+import * as messages from "../../messages";
 import { mesh } from "../document";
 import { nudge, resetChosen } from "../edit";
 import { choose, chosen, clearChosen, lookAt, toggle } from "./chosen";
 import { handleWords, nameOf } from "./words";
 
 export const HINT =
-  "Rows count from below. Arrow keys move the handle, and all that are chosen with it: by a hundredth of the grid, " +
-  "with Shift by a tenth, with Alt by a thousandth. Page Down and Page Up, or the closing and the opening " +
-  "bracket, go to the next and the previous handle, Control and an arrow to its neighbour. Space chooses it or lets it go, Control and A chooses all, " +
-  "Delete puts what is chosen back, Escape chooses nothing.";
+  messages.rowsCountFromBottom +
+  messages.withShiftByTenth +
+  messages.bracketGoToNext +
+  messages.deleteResetsSelectionEscape;
 
 const ARROWS: Record<string, Point> = {
   ArrowLeft: [-1, 0],
@@ -48,7 +49,7 @@ export function handleKey(index: number, event: KeyboardEvent): boolean {
   }
   if (held && latinKey(event).toLowerCase() === "a") {
     choose(Array.from({ length: count }, (_, i) => i));
-    announce(`All ${count} handles chosen.`);
+    announce(messages.allSelected(count));
     return true;
   }
   if (held) return false;
@@ -77,7 +78,7 @@ export function handleKey(index: number, event: KeyboardEvent): boolean {
     case " ":
     case "Enter":
       toggle(index);
-      announce(`${nameOf(now, index)}: ${chosen.peek().has(index) ? "chosen" : "let go"}.`);
+      announce(`${nameOf(now, index)}: ${chosen.peek().has(index) ? "chosen" : messages.deselected}.`);
       return true;
     case "Delete":
     case "Backspace":
@@ -86,7 +87,7 @@ export function handleKey(index: number, event: KeyboardEvent): boolean {
     case "Escape":
       if (chosen.peek().size === 0) return false;
       clearChosen();
-      announce("Nothing chosen.");
+      announce(messages.nothingSelected);
       return true;
     default:
       return false;

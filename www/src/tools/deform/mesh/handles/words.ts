@@ -2,16 +2,17 @@
 
 import { formatNumber } from "#format/numbers";
 import type { Mesh } from "#geometry/mesh";
+import * as messages from "../../messages";
 
 /** "Column 2, row 3": counted from the left and from below. */
 export function nameOf({ columns }: Pick<Mesh, "columns">, index: number): string {
-  return `Column ${(index % columns) + 1}, row ${Math.floor(index / columns) + 1}`;
+  return messages.columnAndRow((index % columns) + 1, Math.floor(index / columns) + 1);
 }
 
 /** "moved 0.12 right, 0.3 up". */
 export function movedWords(dx: number, dy: number): string {
   const parts = [...way(dx, "right", "left"), ...way(dy, "up", "down")];
-  return parts.length === 0 ? "at rest" : `moved ${parts.join(", ")}`;
+  return parts.length === 0 ? messages.atRest : messages.movedBy(parts.join(", "));
 }
 
 function way(length: number, forth: string, back: string): string[] {
