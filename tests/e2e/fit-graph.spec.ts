@@ -109,7 +109,7 @@ test("the two maps of Table 1 are found, picked by key, and put together; a link
 }) => {
   await open(page);
   await search(page, "table1");
-  const list = page.getByRole("list", { name: "Candidates, the most hits first" });
+  const list = page.getByRole("list", { name: "Candidates, most hits first" });
   await expect(list.getByRole("button", { name: /^Map [12]/ })).toHaveCount(2);
   await expect(list.getByRole("button", { name: /^Echo/ }).first()).toBeVisible();
   const clusters = page.getByRole("listbox");
@@ -139,12 +139,12 @@ test("the two maps of Table 1 are found, picked by key, and put together; a link
 test("what is put together keeps a tolerance, and says what a polyline as near takes", async ({ page }) => {
   await open(page);
   await search(page, "table1");
-  const field = page.getByRole("spinbutton", { name: /^Nowhere farther off than/ });
+  const field = page.getByRole("spinbutton", { name: /^Maximum error/ });
   await field.fill("5");
   await page.keyboard.press("Enter");
   await page.getByRole("button", { name: "Assemble", exact: true }).click();
   const words = page.locator("[data-part=assembled]");
-  await expect(words).toContainText(/It is made of \d+ numbers; a polyline that is as near takes \d+\./);
+  await expect(words).toContainText(/It takes \d+ numbers; a polyline of the same accuracy takes \d+\./);
   await expect(words).not.toContainText("e-");
 });
 
@@ -154,7 +154,7 @@ test("a search is stopped at once, and what was there stays", async ({ page }) =
   await page.getByRole("button", { name: "Find the maps" }).click();
   await page.getByRole("button", { name: "Stop", exact: true }).click();
   await expect(page.getByRole("button", { name: "Find the maps" })).toBeVisible();
-  await expect(page.getByRole("list", { name: "Candidates, the most hits first" })).toBeVisible();
+  await expect(page.getByRole("list", { name: "Candidates, most hits first" })).toBeVisible();
   // It can be begun again.
   await page.getByRole("button", { name: "Find the maps" }).click();
   await expect(page.locator("[data-part=took]")).toBeVisible({ timeout: 90_000 });
@@ -163,8 +163,8 @@ test("a search is stopped at once, and what was there stays", async ({ page }) =
 test("the seven maps of Table 3 come to eleven pieces from point to point", async ({ studio, page }) => {
   await open(page);
   await search(page, "hidden");
-  await page.getByRole("button", { name: "Pick those of Table 3 (7 of 7 found)" }).click();
-  await page.getByRole("switch", { name: "Let pieces meet" }).uncheck({ force: true });
+  await page.getByRole("button", { name: "Select those of Table 3 (7 of 7 found)" }).click();
+  await page.getByRole("switch", { name: "Close gaps between pieces" }).uncheck({ force: true });
   await page.getByRole("button", { name: "Assemble 7 picks" }).click();
   await expect(page.locator("[data-part=assembled]")).toContainText("PFIF of 7 pieces");
   await page.getByRole("radio", { name: "A stretch" }).check({ force: true });

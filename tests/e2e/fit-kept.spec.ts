@@ -20,9 +20,9 @@ async function keepLeaf(tool: FitTool, page: Page): Promise<void> {
   await tool.input.setInputFiles(file(leafPicture, "leaf.png"));
   await page.getByRole("button", { name: "Fit this outline" }).click();
   await tool.fitted();
-  await shelf(page).getByRole("button", { name: "Keep this fit" }).click();
+  await shelf(page).getByRole("button", { name: "Save this fit" }).click();
   await expect(row(page, "leaf")).toContainText(/off · \d+ numbers · \d+ bytes/);
-  await expect(shelf(page).getByRole("button", { name: "It is kept" })).toBeDisabled();
+  await expect(shelf(page).getByRole("button", { name: "Saved" })).toBeDisabled();
 }
 
 test("a fit is kept, opened again without fitting anew, named, pinned, removed and put back", async ({
@@ -87,7 +87,7 @@ test("the photograph of a fit goes along, cut out, and is bent by the grid", asy
   await keepLeaf(tool, page);
   await tool.openFew(24);
   await tool.fitted();
-  await more(page, "leaf", "Bend its photograph");
+  await more(page, "leaf", "Deform its photo");
   const picture = page.getByRole("region", { name: "Your picture" });
   await expect(picture.locator(".subject-name", { hasText: "leaf" })).toBeVisible();
   expect((await tool.scene()).deform?.subject).toBe("picture");
@@ -110,8 +110,8 @@ test("where the browser keeps nothing, the shelf says so, and the fit stays", as
   const tool = new FitTool(page);
   await tool.openFew(24);
   await tool.fitted();
-  await shelf(page).getByRole("button", { name: "Keep this fit" }).click();
+  await shelf(page).getByRole("button", { name: "Save this fit" }).click();
   await expect(shelf(page).getByRole("status")).toContainText("private window");
-  await expect(shelf(page).getByRole("button", { name: "Keep this fit" })).toBeEnabled();
+  await expect(shelf(page).getByRole("button", { name: "Save this fit" })).toBeEnabled();
   await tool.fitted();
 });

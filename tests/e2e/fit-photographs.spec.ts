@@ -28,8 +28,8 @@ test("two leaves become each other with their photographs, which a reload finds 
     await tool.input.setInputFiles(file(picture, `${name}.png`));
     await page.getByRole("button", { name: "Fit this outline" }).click();
     await tool.fitted();
-    await page.getByRole("button", { name: "Keep this fit" }).click();
-    await expect(page.getByRole("button", { name: "It is kept" })).toBeVisible();
+    await page.getByRole("button", { name: "Save this fit" }).click();
+    await expect(page.getByRole("button", { name: "Saved" })).toBeVisible();
     await page.getByRole("button", { name: `Use as ${end}` }).click();
     await expect(page.getByRole("slider", { name: "Time", exact: true })).toBeVisible();
     if (end === "A") await page.getByRole("link", { name: "Fit", exact: true }).click();

@@ -36,7 +36,7 @@ test("a curve of the plane is dragged, leaned, refused where it would not shrink
   expect(Number(places[2]?.split(",")[1])).toBeLessThan(0.34);
   await expect(page.getByText("attractor of 4 maps", { exact: false })).toBeVisible();
   // A factor by keys: it leans, and is refused with its reason where it would lengthen.
-  const arrow = page.getByRole("button", { name: /^Where piece 1 takes x/ });
+  const arrow = page.getByRole("button", { name: /^Piece 1 takes x/ });
   await arrow.focus();
   await page.keyboard.press("ArrowUp");
   const leaning = await word();

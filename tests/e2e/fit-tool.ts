@@ -65,11 +65,11 @@ export class FitTool {
     this.page = page;
     this.status = page.getByTestId("fit-status");
     this.stage = page.getByTestId("fit-stage");
-    this.input = page.getByLabel("Photograph or outline file");
+    this.input = page.getByLabel("Photo or outline file");
     this.figures = page.getByTestId("figures");
     this.alerts = page.locator(".toasts").getByRole("alert");
     this.messages = page.getByRole("region", { name: "Cut out" }).getByRole("status");
-    this.problem = page.getByRole("region", { name: "How near it is" }).getByRole("alert");
+    this.problem = page.getByRole("region", { name: "Accuracy" }).getByRole("alert");
   }
 
   /** With few numbers from the start: they are fitted soon. */
@@ -89,7 +89,7 @@ export class FitTool {
   }
 
   async few(numbers: number): Promise<void> {
-    const field = this.page.getByRole("spinbutton", { name: "How many numbers" });
+    const field = this.page.getByRole("spinbutton", { name: "Numbers in the fit" });
     await field.fill(String(numbers));
     await field.press("Enter");
   }

@@ -23,7 +23,7 @@ test("a photograph is turned where the leaf is cut out, and what was painted goe
   };
   // A stroke through the middle takes it away.
   await page.getByRole("radio", { name: "Not leaf" }).check({ force: true });
-  await page.getByRole("switch", { name: "Only what is painted" }).check({ force: true });
+  await page.getByRole("switch", { name: "Do not spread" }).check({ force: true });
   const at = await tool.place(115, 120, 420, 240);
   await page.mouse.move(at.x - 20, at.y);
   await page.mouse.down();

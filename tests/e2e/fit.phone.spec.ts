@@ -11,13 +11,13 @@ test("the outline is on top, its slider below it, and nothing is wider than the 
   const side = await page.locator(".side").evaluate((element) => element.scrollWidth - element.clientWidth);
   expect(side).toBe(0);
   const stage = await tool.stage.boundingBox();
-  const slider = await page.getByRole("slider", { name: "How many numbers" }).boundingBox();
+  const slider = await page.getByRole("slider", { name: "Numbers in the fit" }).boundingBox();
   if (!stage || !slider) throw new Error("something is missing");
   expect(stage.height).toBeGreaterThan(200);
   expect(slider.y).toBeGreaterThanOrEqual(stage.y + stage.height - 10);
   expect(slider.width).toBeGreaterThan(180);
   expect(slider.height).toBeGreaterThanOrEqual(34);
-  for (const name of ["Choose a photograph or outline", "Use as A", "Use as B", "Bend it"]) {
+  for (const name of ["Choose a photo or outline", "Use as A", "Use as B", "Deform it"]) {
     const box = await page.getByRole("button", { name }).boundingBox();
     expect(box?.height).toBeGreaterThanOrEqual(44);
   }
@@ -41,7 +41,7 @@ test("a finger pans, two enlarge, and one with a brush mends the mask", async ({
   await expect.poll(async () => apart(await seen(), GREEN)).toBeLessThan(12);
   await expect(page.getByRole("button", { name: "Fit this outline" })).toBeInViewport();
   await page.getByRole("radio", { name: "Not leaf" }).check({ force: true });
-  await page.getByRole("switch", { name: "Only what is painted" }).check({ force: true });
+  await page.getByRole("switch", { name: "Do not spread" }).check({ force: true });
   await finger.drag({ x: at.x - 20, y: at.y }, { x: at.x + 20, y: at.y });
   await expect(page.getByRole("button", { name: "Undo stroke" })).toBeEnabled();
   await page.getByRole("radio", { name: "Move", exact: true }).check({ force: true });

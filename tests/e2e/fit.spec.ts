@@ -32,7 +32,7 @@ test("what is seen first is a leaf with its fit, and the slider changes it", asy
   expect(numbers).toBeGreaterThan(12);
   expect(numbers).toBeLessThanOrEqual(24);
   await expect(tool.figures).toContainText(/Error \(RMS\)\d.*%/);
-  const slider = page.getByRole("slider", { name: "How many numbers" });
+  const slider = page.getByRole("slider", { name: "Numbers in the fit" });
   await slider.focus();
   await page.keyboard.press("Home");
   await tool.fitted();
@@ -53,7 +53,7 @@ test("a fit within so many bytes is told beside others of as many, and a link ho
   await tool.open();
   await tool.few(24);
   await tool.fitted();
-  await page.getByRole("radio", { name: "Within bytes" }).check({ force: true });
+  await page.getByRole("radio", { name: "Limited bytes" }).check({ force: true });
   await page.getByRole("radio", { name: "50", exact: true }).check({ force: true });
   await expect(tool.status).toHaveText(/off, (4|50?)\d? bytes$/, { timeout: 60_000 });
   await expect(page.getByTestId("chart")).toContainText("Fourier", { timeout: 60_000 });
@@ -67,7 +67,7 @@ test("a fit within so many bytes is told beside others of as many, and a link ho
   // Nothing is fitted anew: of what it was made from nothing is there.
   await expect(tool.status).toHaveText(/^\d\d bytes$/);
   expect((await tool.scene()).fit?.spline?.word).toBe(word);
-  await page.getByRole("button", { name: "Bend it" }).click();
+  await page.getByRole("button", { name: "Deform it" }).click();
   // What is bent is the same curve: it is not written again.
   await expect.poll(() => page.url()).toContain("&curve-a=spline&");
   const knots = page.getByText(/^closed curve, [1-9]\d* knots/);
@@ -88,7 +88,7 @@ test("each copy is seen with its arc, by keys and by pointer, and the curve grow
   await panel.getByRole("switch", { name: "Show which edge copies which arc" }).check({ force: true });
   const number = panel.getByRole("spinbutton", { name: /^Copy, of/ });
   const words = panel.locator("[data-part=copy]");
-  await expect(words).toHaveText(/^This edge is that arc of \d+ edges: .* times as long/);
+  await expect(words).toHaveText(/^This edge copies that arc of \d+ edges: .* times as long/);
   await number.focus();
   await page.keyboard.press("ArrowUp");
   await expect(number).toHaveValue("2");
@@ -107,7 +107,7 @@ test("each copy is seen with its arc, by keys and by pointer, and the curve grow
   await page.keyboard.press("Home");
   await expect(grow).toHaveAttribute("aria-valuetext", "the polygon of knots");
   await expect.poll(() => tool.lit()).not.toBe(whole);
-  await panel.getByRole("button", { name: "Show all of it" }).click();
+  await panel.getByRole("button", { name: "Show all" }).click();
   await expect(grow).toHaveAttribute("aria-valuetext", "all of it");
   await expectClean(page);
 });
@@ -167,10 +167,10 @@ test("a stalk is proposed to be taken off where the fit is used, and stays off",
   await tool.fitted();
   const about = source(page).last();
   const whole = await about.textContent();
-  const use = page.getByRole("region", { name: "Use it" });
+  const use = page.getByRole("region", { name: "Use" });
   await expect(use.getByRole("button", { name: "Use as B" })).toBeInViewport();
   await expect(use).toContainText(/It has a stalk, \d+% as long as the whole/);
-  await use.getByRole("button", { name: "Take off the stalk" }).click();
+  await use.getByRole("button", { name: "Remove the stalk" }).click();
   await expect(use).not.toContainText("It has a stalk");
   await expect(about).not.toHaveText(whole ?? "");
   await tool.fitted();
@@ -199,7 +199,7 @@ test("a brush mends the mask, by mouse and by keys, and strokes are taken back",
 
   await test.step("the mouse takes away", async () => {
     await page.getByRole("radio", { name: "Not leaf" }).check({ force: true });
-    await page.getByRole("switch", { name: "Only what is painted" }).check({ force: true });
+    await page.getByRole("switch", { name: "Do not spread" }).check({ force: true });
     await page.mouse.move(at.x - 40, at.y);
     await page.mouse.down();
     await page.mouse.move(at.x + 40, at.y, { steps: 8 });
@@ -457,7 +457,7 @@ test("a file is dropped on the stage and pasted", async ({ page }) => {
   expect(await arrive("paste", "pasted.png")).toBe(true);
   await expect(card(page)).toHaveText("pasted.png");
   // Where nothing is found in the picture, the same is offered beside that word.
-  const source = page.getByRole("region", { name: "What is fitted" });
+  const source = page.getByRole("region", { name: "Source" });
   await source.getByRole("button", { name: "Back to dropped.png" }).click();
   await expect(card(page)).toHaveText("dropped.png");
   await expect(tool.status).toHaveText(/^Cut out/);

@@ -73,7 +73,7 @@ export const FUJIMOTO: readonly Section[] = [
     number: "6",
     title: "Conclusion and Future Work",
     about:
-      "Other dimensions, shuffles that tear nothing, and real pictures: a sponge is bent in space, the leaf of a photograph in Fit (“Bend its photograph”).",
+      "Other dimensions, shuffles that tear nothing, and real pictures: a sponge is bent in space, the leaf of a photograph in Fit (“Deform its photo”).",
     also: ["d53"],
     tools: ["deform", "space"],
   },

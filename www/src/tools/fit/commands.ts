@@ -3,18 +3,19 @@ import { fitDocument } from "#document/fit";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { fitCommand, handCommand, switchCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
+import * as messages from "./messages";
 import { brushSize, hand, painting } from "./stage/brush";
 import { fitStage } from "./stage/camera";
 import { comparing, cutting, knotsShown, outlineShown, photoShown } from "./stage/layers";
 import { canRedoStroke, canUndoStroke, redoStroke, undoStroke } from "./work/mask";
 
-const PICTURE = "Shape and picture";
-const CUTTING = "Cutting out";
+const PICTURE = messages.shapeAndPicture;
+const CUTTING = messages.cuttingOut;
 
 const OUTLINE: readonly Command[] = [
   {
     id: "compare",
-    label: "Hold: the outline without the fit",
+    label: messages.holdHideFit,
     group: PICTURE,
     keys: ["C"],
     run: () => {
@@ -26,31 +27,31 @@ const OUTLINE: readonly Command[] = [
   },
   switchCommand(outlineShown, {
     id: "hide",
-    label: "Hide the outline, show it",
+    label: messages.hideOrShowOutline,
     group: PICTURE,
     keys: ["H"],
   }),
   switchCommand(knotsShown, {
     id: "knots",
-    label: "Show the knots, hide them",
+    label: messages.hideOrShowKnots,
     group: PICTURE,
     keys: ["N"],
   }),
   switchCommand(photoShown, {
     id: "picture",
-    label: "Hide the picture, show it",
+    label: messages.hideOrShowPicture,
     group: PICTURE,
     keys: ["P"],
   }),
   fitCommand(fitStage),
   handCommand(hand, ["move", "keep", "remove"], {
-    label: "What a drag does, the next, the one before: move, leaf, not leaf",
+    label: messages.nextOrPreviousDrag,
     group: CUTTING,
     enabled: () => cutting.peek(),
   }),
   {
     id: "size",
-    label: "A smaller brush, a larger one",
+    label: messages.smallerOrLargerBrush,
     group: CUTTING,
     keys: [",", "."],
     enabled: () => painting.peek(),
@@ -60,14 +61,14 @@ const OUTLINE: readonly Command[] = [
     },
   },
   ...widgetKeys(CUTTING, [
-    ["brush-move", "Move the brush, where the picture has the focus; Shift finer", "←", "→", "↑", "↓"],
-    ["brush-paint", "Paint there; held, while it moves", "Space"],
-    ["brush-drop", "Drop the stroke, put the brush away", "Escape"],
+    ["brush-move", messages.moveBrushWithPicture, "←", "→", "↑", "↓"],
+    ["brush-paint", messages.paintThereHoldTo, "Space"],
+    ["brush-drop", messages.cancelStrokeDeselectBrush, "Escape"],
   ]),
   // Strokes are no part of the document: while one paints, they are what is taken back.
   ...everywhere(
     {
-      label: "Undo: the last stroke first",
+      label: messages.undoLatestStrokeFirst,
       enabled: () => (cutting.value && canUndoStroke()) || canUndo.value,
       run: () => (cutting.peek() && canUndoStroke() ? undoStroke() : undo()),
     },

@@ -1,11 +1,12 @@
 import type { ToolEntry } from "#stage/tool";
+import * as messages from "./messages";
 
 export const fit: ToolEntry = {
   id: "fit",
-  label: "Fit",
-  title: "Frond: find the formula of an outline",
-  side: "Outline and fit",
-  stage: "Outline",
+  label: messages.fit,
+  title: messages.frondFindFormulaOutline,
+  side: messages.outlineAndFit,
+  stage: messages.outline,
   tool: () => import("./tool").then((module) => module.openTool()),
-  missing: "The fit could not be loaded",
+  missing: messages.fitCouldNotLoaded,
 };

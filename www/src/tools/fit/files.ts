@@ -4,6 +4,7 @@ import { GREY } from "#style/colours";
 import { palette } from "#style/palette";
 import { svgFile, tag } from "#ui/files/svg";
 import type { Collage, CollageOptions } from "#workers/fit/curve";
+import * as messages from "./messages";
 
 const short = (x: number) => Number(x.toPrecision(9));
 
@@ -24,11 +25,10 @@ export function collageJson(name: string, options: CollageOptions, fit: Collage)
     {
       kind: "collage (Cochran, Hart & Flynn, section 3.2)",
       name,
-      about:
-        "Point m (0 to M) of a piece is e + b m / M + c times point start + 2 m of the ring of feature points, or start + 2 (M - m) where it is reversed.",
+      about: messages.pointM0To,
       ...options,
       maps,
-      gaps: { unit: "percent of the diagonal of the outline's box", widest: fit.widest, mean: fit.mean },
+      gaps: { unit: messages.percentDiagonalOutlinesBounding, widest: fit.widest, mean: fit.mean },
       figures: fit.figures,
     },
     null,

@@ -4,6 +4,7 @@ import { useEffect } from "preact/hooks";
 import { changeFit, fitDocument } from "#document/fit";
 import { notify, wordsOf } from "#document/notice";
 import { Segmented } from "#ui/controls/Segmented";
+import * as messages from "./messages";
 
 export const graphOpen = computed(() => fitDocument.value.mode === "graph");
 export const planeOpen = computed(() => fitDocument.value.mode === "plane");
@@ -17,7 +18,7 @@ function load<T>(part: Signal<T | null>, name: string, get: () => Promise<T>): v
     (module) => {
       part.value = module;
     },
-    (problem) => notify({ kind: "error", text: `${name} could not be loaded: ${wordsOf(problem)}` }),
+    (problem) => notify({ kind: "error", text: messages.notLoaded(name, wordsOf(problem)) }),
   );
 }
 
@@ -25,19 +26,19 @@ export function ModeChoice() {
   useEffect(
     () =>
       effect(() => {
-        if (graphOpen.value) load(graph, "Graphs", () => import("./graph/index"));
-        if (planeOpen.value) load(plane, "Curves of the plane", () => import("./plane/index"));
+        if (graphOpen.value) load(graph, messages.graphs, () => import("./graph/index"));
+        if (planeOpen.value) load(plane, messages.curvesPlane, () => import("./plane/index"));
       }),
     [],
   );
   return (
     <Segmented
-      label="What is fitted"
+      label={messages.fit2}
       value={fitDocument.value.mode}
       options={[
-        { value: "outline", label: "An outline", description: "A leaf, a coast: a closed curve" },
-        { value: "graph", label: "A graph", description: "A profile, a time series: a function" },
-        { value: "plane", label: "A curve", description: "A fractal curve through points of the plane" },
+        { value: "outline", label: messages.outline3, description: messages.leafCoastClosedCurve },
+        { value: "graph", label: messages.graph, description: messages.profileTimeSeriesFunction },
+        { value: "plane", label: messages.curve, description: messages.fractalCurveThroughPoints },
       ]}
       onChange={(mode) => changeFit((now) => ({ ...now, mode }))}
     />

@@ -10,6 +10,7 @@ import { palette } from "#style/palette";
 import { download, plainName, pngOf } from "#ui/files/download";
 import { rough } from "#wasm/curve";
 import { collageCsv, collageJson, collageSvg } from "./files";
+import * as messages from "./messages";
 import { paint } from "./stage/draw";
 import { collage, shownFigures, shownFit } from "./work/fitting";
 import { boxOf } from "./work/frame";
@@ -98,7 +99,7 @@ export function savePng(): void {
     canvas.width = Math.max(1, size.width);
     canvas.height = Math.max(1, size.height);
     const context = canvas.getContext("2d");
-    if (!context) throw new Error("no canvas");
+    if (!context) throw new Error(messages.noCanvas);
     const fit = palette(dark.peek() ? "dark" : "light")[2] ?? GREY;
     const colours = { stage: WHITE, ink: fit, quiet: fit, fit, bad: BAD, accent: fit, arcs: [] };
     const view = fitFor(box, canvas, 0.02);
@@ -127,7 +128,7 @@ export function savePng(): void {
 }
 
 function notSaved(problem: unknown): void {
-  notify({ kind: "error", text: `The fit could not be saved: ${wordsOf(problem)}` });
+  notify({ kind: "error", text: messages.fitNotSaved(wordsOf(problem)) });
 }
 
 const fileName = (ending: string) => `frond-${plainName(nameOf(source.peek().name), "leaf")}.${ending}`;

@@ -3,6 +3,7 @@
 import { changeFit } from "#document/fit";
 import { notify, wordsOf } from "#document/notice";
 import type { OpenedSeries } from "#workers/fit/trace-types";
+import * as messages from "./messages";
 
 export function takeSeries(series: OpenedSeries): void {
   import("./graph/model/series").then(
@@ -10,6 +11,6 @@ export function takeSeries(series: OpenedSeries): void {
       changeFit((now) => (now.mode === "graph" ? now : { ...now, mode: "graph" }));
       graph.takeSeries(series);
     },
-    (problem) => notify({ kind: "error", text: `Graphs could not be loaded: ${wordsOf(problem)}` }),
+    (problem) => notify({ kind: "error", text: messages.graphsNotLoaded(wordsOf(problem)) }),
   );
 }

@@ -12,6 +12,7 @@ import { scene } from "#document/scene";
 import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { croppedPhotograph } from "./kept/photograph";
+import * as messages from "./messages";
 import { shapeOf, shownFigures, shownFit } from "./work/fitting";
 import { polylineOf, prepared } from "./work/outline";
 import { problem, running } from "./work/progress";
@@ -99,14 +100,14 @@ export async function bendPhotograph(
 ): Promise<void> {
   try {
     const photograph = await given;
-    if (!photograph) throw new Error("there is none any more");
+    if (!photograph) throw new Error(messages.thereNoneAnyMore);
     const { image, box } = await holdPhotograph(curve, photograph);
     const outline = polylineOf(takenCurve(curve));
-    if (!outline) throw new Error("its curve cannot be drawn");
+    if (!outline) throw new Error(messages.curveCannotDrawn);
     const { data: pixels, width, height } = cutOut(image, box, outline);
     bendPicture({ pixels, width, height, name });
   } catch (problem) {
-    notify({ kind: "error", text: `This photograph cannot be bent: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.photoNotDeformed(wordsOf(problem)) });
   }
 }
 
@@ -118,7 +119,7 @@ function takeShape(shape: CurveShape, to: Use, grown: string | undefined = shape
     // A leaf of the gallery goes to the oak's, unless it is that; whatever else to the maple's.
     const wanted = grown !== undefined && grown !== "white-oak" ? "white-oak" : "sugar-maple";
     const partner = presets.find((preset) => preset.id === wanted) ?? presets[0];
-    if (!partner) throw new Error("there is no other shape");
+    if (!partner) throw new Error(messages.thereNoOtherShape);
     const before = scene.peek();
     const beside = to === "bent" ? undefined : before.directed?.[to === "a" ? "b" : "a"];
     // A plant that becomes outlines already becomes this one.
@@ -134,5 +135,5 @@ function takeShape(shape: CurveShape, to: Use, grown: string | undefined = shape
 }
 
 function notTaken(problem: unknown): void {
-  notify({ kind: "error", text: `This fit cannot be taken there: ${wordsOf(problem)}` });
+  notify({ kind: "error", text: messages.fitNotUsed(wordsOf(problem)) });
 }

@@ -21,7 +21,7 @@ test("the comparison names the best of the others, and is fair to it", () => {
   expect(compareWords(figures(0.1), all)).toBe(
     "1.2 times as accurate as the next best (polyline, best corners).",
   );
-  expect(compareWords(figures(0.119), all)).toMatch(/^About as near/);
+  expect(compareWords(figures(0.119), all)).toMatch(/^About as accurate/);
   expect(compareWords(figures(0.2), all)).toMatch(/more accurate: polyline, best corners, 0\.120%/);
   expect(compareWords(figures(0.2), [])).toBe("");
 });
@@ -33,8 +33,8 @@ test("so is that of bytes", () => {
     { method: "squares", rms: 0.12, points },
   ] as const;
   expect(compareBytes(0.1, all)).toBe("1.2 times as accurate as the next best (polyline, best corners).");
-  expect(compareBytes(0.12, all)).toMatch(/^About as near/);
-  expect(compareBytes(0.2, all)).toMatch(/nearer: 0\.120%/);
+  expect(compareBytes(0.12, all)).toMatch(/^About as accurate/);
+  expect(compareBytes(0.2, all)).toMatch(/more accurate: .*0\.120%/);
 });
 
 test("figures have digits that say something, and none lies", () => {
@@ -43,10 +43,10 @@ test("figures have digits that say something, and none lies", () => {
   expect(roughWords(rough)).toBe("As rough as the outline.");
   // A tangle as long as two outlines is not praised for its dimension.
   expect(roughWords({ ...rough, lengthRatio: 2 })).toBe(
-    "About as rough as the outline: it has 200% of its length.",
+    "About as rough as the outline: it has 200% of its perimeter.",
   );
   expect(roughWords({ ...rough, fitSlope: 1.25, lengthRatio: 1.2 })).toMatch(
-    /^Rougher .* 120% of its length/,
+    /^Rougher .* 120% of its perimeter/,
   );
-  expect(roughWords({ ...figures(1), fitSlope: 1.1 })).toMatch(/^Smoother .* 90% of its length/);
+  expect(roughWords({ ...figures(1), fitSlope: 1.1 })).toMatch(/^Smoother .* 90% of its perimeter/);
 });

@@ -4,6 +4,7 @@ import { bytesOf, fitDocument } from "#document/fit";
 import { nearestWords, percent } from "#format/nearness";
 import { fixed } from "#format/numbers";
 import type { ByteMethod, ByteRival, FitFigures, Method, Rival } from "#workers/fit/curve";
+import * as messages from "./messages";
 import { cutting } from "./stage/layers";
 import { collage, shownFigures, shownFit } from "./work/fitting";
 import { masked, masking, traced } from "./work/mask";
@@ -19,35 +20,36 @@ export function signed(x: number): string {
 
 /** One line on the stage. */
 export const statusWords: ReadonlySignal<string> = computed(() => {
-  if (reading.value !== null) return `Reading ${reading.value} …`;
+  if (reading.value !== null) return messages.readingOf(reading.value);
   if (cutting.value) {
     const mask = masked.value;
-    if (!mask) return "Looking for the leaf …";
-    if (mask.components.length === 0) return "Nothing stands out yet";
-    const parts = mask.components.length === 1 ? "one part" : `${mask.components.length} parts`;
-    return masking.value || !traced.value ? `${parts}, looking …` : `Cut out: ${parts}`;
+    if (!mask) return messages.findingLeaf;
+    if (mask.components.length === 0) return messages.nothingStandsOutYet;
+    const parts =
+      mask.components.length === 1 ? messages.onePart : messages.partCount(mask.components.length);
+    return masking.value || !traced.value ? messages.partsSearching(parts) : messages.cutOutOf(parts);
   }
-  if (!prepared.value) return "Waiting for an outline";
+  if (!prepared.value) return messages.waitingForOutline;
   const now = running.value;
   const spline = fitDocument.value.model === "spline";
   const best = spline ? shownWithin.value : shownFit.value;
   if (fitDocument.value.model === "collage") {
     const paper = collage.value;
-    if (now || !paper) return problem.value ? "No fit" : "Fitting …";
-    return `${percent(paper.fit.figures.rms)} off, ${paper.fit.numbers} numbers`;
+    if (now || !paper) return problem.value ? messages.noFit : messages.fitting;
+    return messages.errorAndNumbers(percent(paper.fit.figures.rms), paper.fit.numbers);
   }
   if (now) {
-    const off = now.rms === undefined || now.rms === null ? "" : `, ${percent(now.rms)} off so far`;
-    return best ? `Fitting, ${Math.round(100 * now.share)}% done${off}` : "Fitting …";
+    const off = now.rms === undefined || now.rms === null ? "" : messages.errorSoFar(percent(now.rms));
+    return best ? messages.fittingPercent(Math.round(100 * now.share), off) : messages.fitting;
   }
-  if (problem.value) return "No fit";
+  if (problem.value) return messages.noFit;
   if (spline) return withinWords();
   const closed = shownFit.value;
-  if (cancelled.value && closed?.numbers !== fitDocument.value.numbers) return "Stopped before the first fit";
+  if (cancelled.value && closed?.numbers !== fitDocument.value.numbers) return messages.stoppedBeforeFirstFit;
   // A slider that moves has not asked for anything yet.
-  if (!closed || closed.numbers !== fitDocument.value.numbers) return "Fitting …";
+  if (!closed || closed.numbers !== fitDocument.value.numbers) return messages.fitting;
   const done = shownFigures.value;
-  const numbers = `${numbersOf(closed.curve)} numbers`;
+  const numbers = messages.numbersOf(numbersOf(closed.curve));
   if (!done?.figures) return numbers;
   return `${cancelled.value ? "Stopped: " : ""}${percent(done.figures.rms)} off, ${numbers}`;
 });
@@ -56,27 +58,27 @@ export const statusWords: ReadonlySignal<string> = computed(() => {
 function withinWords(): string {
   const asked = bytesOf(fitDocument.value);
   const done = withinDone.value;
-  if (done?.asked !== asked) return cancelled.value ? "Stopped before the first fit" : "Fitting …";
-  const bytes = `${done.bytes.toLocaleString("en-GB")} bytes`;
+  if (done?.asked !== asked) return cancelled.value ? messages.stoppedBeforeFirstFit : messages.fitting;
+  const bytes = messages.bytes(done.bytes.toLocaleString("en-GB"));
   if (!done.figures) return bytes;
   return `${cancelled.value ? "Stopped: " : ""}${percent(done.figures.rms)} off, ${bytes}`;
 }
 
 export const METHODS: Record<Method, { name: string; about: string }> = {
-  squares: { name: "Polyline, best corners", about: "A polyline whose corners were moved by least squares" },
-  split: { name: "Polyline, split", about: "A polyline through feature points" },
-  bezier: { name: "Bézier curves", about: "Smooth pieces as of a tracing program" },
-  fourier: { name: "Fourier descriptors", about: "The lowest frequencies of the outline" },
-  collage: { name: "As in the paper", about: "Collage least squares by Cochran, Hart and Flynn" },
+  squares: { name: messages.polylineBestCorners, about: messages.polylineWhoseCornersWere },
+  split: { name: messages.polylineSplit, about: messages.polylineThroughFeaturePoints },
+  bezier: { name: messages.bezierCurves, about: messages.smoothPiecesAsFrom },
+  fourier: { name: messages.fourierDescriptors, about: messages.lowestFrequenciesOutline },
+  collage: { name: messages.asInPaper, about: messages.collageLeastSquaresBy },
 };
 
 export const BYTE_METHODS: Record<ByteMethod, { name: string; about: string }> = {
   squares: {
-    name: "Polyline, best corners",
-    about: "Corners moved by least squares, packed in the same way",
+    name: messages.polylineBestCorners,
+    about: messages.cornersAdjustedByLeast,
   },
-  bezier: { name: "Bézier curves", about: "Cubic pieces, counted as an ideal coder would write them" },
-  fourier: { name: "Fourier descriptors", about: "The lowest frequencies, counted as an ideal coder would" },
+  bezier: { name: messages.bezierCurves, about: messages.cubicPiecesCountedAs },
+  fourier: { name: messages.fourierDescriptors, about: messages.lowestFrequenciesCountedAs },
 };
 
 /** The comparison in a sentence. */
@@ -98,9 +100,9 @@ export function compareBytes(rms: number, rivals: readonly ByteRival[]): string 
 /** How rough a fit is beside its outline: in words only where dimension and length say the same. */
 export function roughWords({ fitSlope, outlineSlope, lengthRatio }: FitFigures): string {
   const d = fitSlope - outlineSlope;
-  const length = `${Math.round(100 * lengthRatio)}% of its length`;
-  if (Math.abs(d) <= 0.01 && Math.abs(lengthRatio - 1) <= 0.03) return "As rough as the outline.";
-  if (d < 0 && lengthRatio < 1) return `Smoother than the outline: it has ${length}.`;
-  if (d > 0 && lengthRatio > 1) return `Rougher than the outline: it has ${length}.`;
-  return `About as rough as the outline: it has ${length}.`;
+  const length = messages.percentOfPerimeter(Math.round(100 * lengthRatio));
+  if (Math.abs(d) <= 0.01 && Math.abs(lengthRatio - 1) <= 0.03) return messages.asRoughAsOutline;
+  if (d < 0 && lengthRatio < 1) return messages.smoother(length);
+  if (d > 0 && lengthRatio > 1) return messages.rougher(length);
+  return messages.sameRoughness(length);
 }

@@ -1,4 +1,5 @@
 import css from "../graph/graph.module.css";
+import * as messages from "../messages";
 import { IndexSelect } from "./IndexSelect";
 
 interface CopiedSpanProps {
@@ -14,11 +15,11 @@ interface CopiedSpanProps {
 export function CopiedSpan({ piece, span, count, onChange }: CopiedSpanProps) {
   return (
     <p class={css["piece-domain"]}>
-      <span class="row-name">copies from point</span>
+      <span class="row-name">{messages.copiesFromPoint}</span>
       {([0, 1] as const).map((end) => (
         <IndexSelect
           key={end}
-          label={`Piece ${piece + 1} copies ${end === 0 ? "from" : "up to"} point`}
+          label={messages.copiedEnd(piece + 1, end !== 0)}
           value={span[end]}
           count={count}
           onChange={(point) => onChange(end, point)}

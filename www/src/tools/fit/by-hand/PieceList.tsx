@@ -3,6 +3,7 @@ import type { VNode } from "preact";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import css from "../graph/graph.module.css";
+import * as messages from "../messages";
 import { IndexSelect } from "./IndexSelect";
 
 /** Up to here all pieces have a row; beyond, the chosen one has. */
@@ -30,7 +31,7 @@ export function PieceList({ id, count, chosen, onChoose, row }: PieceListProps) 
       {count > ALL && (
         <div class="row">
           <label class="row-name" for={id}>
-            Piece of {count}
+            {messages.pieceOf(count)}
           </label>
           <IndexSelect id={id} value={open} count={count} onChange={onChoose} />
         </div>
@@ -55,7 +56,7 @@ export function PieceNumber({
       type="button"
       class={css["piece-number"]}
       aria-expanded={open}
-      aria-label={`Piece ${piece + 1}`}
+      aria-label={messages.pieceNumber(piece + 1)}
       onClick={() => onChoose(piece)}
     >
       {piece + 1}

@@ -2,6 +2,7 @@ import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { SliderField } from "#ui/controls/SliderField";
 import { Switch } from "#ui/controls/Switch";
+import * as messages from "../messages";
 import { choose, chosen, copies, copiesShown, MOST_STEPS, steps } from "./copies";
 import { copyWords, stepWords } from "./words";
 
@@ -11,24 +12,24 @@ export function CopiesPanel() {
   if (list.length === 0) return null;
   const now = list[chosen.value];
   return (
-    <section class="stack" aria-label="Its copies">
+    <section class="stack" aria-label={messages.copies}>
       <div class="section-head">
-        <h2>Its copies</h2>
+        <h2>{messages.copies}</h2>
       </div>
       <Switch
         checked={copiesShown.value}
-        description="Edges that copy one arc have one colour. Point at an edge to see its arc, dashed."
+        description={messages.edgesCopySameArc}
         onChange={(on) => {
           copiesShown.value = on;
           if (on) steps.value = null;
         }}
       >
-        Show which edge copies which arc
+        {messages.showEdgeCopiesArc}
       </Switch>
       {copiesShown.value && now && (
         <>
           <NumberField
-            label={`Copy, of ${list.length}`}
+            label={messages.copyOf(list.length)}
             value={chosen.value + 1}
             min={1}
             max={list.length}
@@ -41,13 +42,13 @@ export function CopiesPanel() {
         </>
       )}
       <SliderField
-        label="Steps of growth"
+        label={messages.stepsGrowth}
         value={steps.value ?? MOST_STEPS}
         max={MOST_STEPS}
         step={0.05}
         digits={2}
         words={stepWords(steps.value)}
-        ends={["knots", "all of it"]}
+        ends={["knots", messages.allOfIt]}
         onChange={(next) => {
           steps.value = next >= MOST_STEPS ? null : next;
           if (steps.value !== null) copiesShown.value = false;
@@ -60,7 +61,7 @@ export function CopiesPanel() {
             steps.value = null;
           }}
         >
-          Show all of it
+          {messages.showAll}
         </Button>
       )}
     </section>

@@ -1,4 +1,5 @@
 import { NumberField } from "#ui/controls/NumberField";
+import * as messages from "../messages";
 import css from "./graph.module.css";
 
 interface DomainFieldsProps {
@@ -17,7 +18,7 @@ export function DomainFields({ domain, within: [from, to], onChange, onDone = ()
       {([0, 1] as const).map((end) => (
         <NumberField
           key={end}
-          label={end === 0 ? "copies from" : "to"}
+          label={end === 0 ? messages.copiesFrom : "to"}
           symbol={end === 0 ? "α" : "β"}
           value={domain[end]}
           min={from}

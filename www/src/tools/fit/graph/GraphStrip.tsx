@@ -1,3 +1,4 @@
+import * as messages from "../messages";
 import { choose, chosen, current, found, running } from "./find/search";
 import css from "./graph.module.css";
 import { series } from "./model/series";
@@ -16,10 +17,10 @@ export function GraphStrip() {
       <div class={css["graph-strip"]}>
         <p class="hint">
           {running.value
-            ? "Counting votes for every smaller copy that may be there."
+            ? messages.countingVotesForEvery
             : series.value
-              ? "Find the maps: the votes for each will stand here."
-              : "Drag the points of the graph, turn the roughness of its pieces, or look for the maps of a series."}
+              ? messages.findMapsTheirVotes
+              : messages.dragPointsGraphChange}
         </p>
       </div>
     );
@@ -29,14 +30,14 @@ export function GraphStrip() {
   return (
     <div class={css["graph-strip"]}>
       <p class="hint">
-        Hits of the {list.length} largest clusters: up to <span class="number">{countWords(most)}</span>
+        {messages.hitsUpTo(list.length)} <span class="number">{countWords(most)}</span>
       </p>
       <svg
         class={css["histogram"]}
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         preserveAspectRatio="none"
         role="img"
-        aria-label={`Hits of the ${list.length} largest clusters, from ${most} down to ${list.at(-1)?.hits ?? 0}. The list of candidates has them in words.`}
+        aria-label={messages.hitsOf(list.length, most, list.at(-1)?.hits ?? 0)}
       >
         {list.map((cluster, index) => {
           const tall = Math.max(1.5, (HEIGHT * cluster.hits) / most);
@@ -48,7 +49,7 @@ export function GraphStrip() {
               data-kind={cluster.kind}
               onClick={() => choose(index)}
             >
-              <title>{`${nameOf(cluster, index)}: ${countWords(cluster.hits)} hits`}</title>
+              <title>{messages.clusterHits(nameOf(cluster, index), countWords(cluster.hits))}</title>
               <rect class={css["reach"]} x={index * step} y={0} width={step} height={HEIGHT} />
               <rect
                 class={css["spot"]}
@@ -62,9 +63,9 @@ export function GraphStrip() {
         })}
       </svg>
       <ul class={css["histogram-key"]}>
-        <li>Map</li>
-        <li data-kind="echo">Echo</li>
-        <li data-kind="clutter">Clutter</li>
+        <li>{messages.map}</li>
+        <li data-kind="echo">{messages.echo}</li>
+        <li data-kind="clutter">{messages.clutter}</li>
       </ul>
     </div>
   );

@@ -8,6 +8,7 @@ import { Switch } from "#ui/controls/Switch";
 import { CopiedSpan } from "../by-hand/CopiedSpan";
 import { IndexSelect } from "../by-hand/IndexSelect";
 import { colourOf, PieceList, PieceNumber } from "../by-hand/PieceList";
+import * as messages from "../messages";
 import { DomainFields } from "./DomainFields";
 import css from "./graph.module.css";
 import {
@@ -43,14 +44,14 @@ export function FunctionSection() {
   return (
     <section class="stack">
       <div class="section-head">
-        <h2>The function</h2>
+        <h2>{messages.functionLabel}</h2>
         <Button kind="quiet" icon="reset" disabled={isFirst.value} onClick={() => take(FIRST)}>
-          Figure 1
+          {messages.figure1}
         </Button>
       </div>
-      <p class="row-name">Every piece is a smaller copy of</p>
+      <p class="row-name">{messages.everyPieceSmallerCopy}</p>
       <Segmented<Kind>
-        label="What every piece is a copy of"
+        label={messages.whatEveryPieceCopies}
         options={KINDS.map(({ value: kind, label, about }) => ({ value: kind, label, description: about }))}
         value={now.kind}
         onChange={chooseKind}
@@ -64,13 +65,8 @@ export function FunctionSection() {
         row={(index, open) => <PieceRow key={index} index={index} open={open} />}
       />
       <KnotFields />
-      <Button
-        kind="quiet"
-        icon="arrow"
-        description="The same graph through points of the plane, which may then go anywhere, and copies may turn and lean"
-        onClick={asPlaneCurve}
-      >
-        As a curve of the plane
+      <Button kind="quiet" icon="arrow" description={messages.sameGraphAsCurve} onClick={asPlaneCurve}>
+        {messages.asCurvePlane}
       </Button>
       <FactList />
     </section>
@@ -97,7 +93,7 @@ function PieceRow({ index, open }: { index: number; open: boolean }) {
     >
       <PieceNumber piece={index} open={open} onChoose={choosePiece} />
       <Slider
-        label={`Roughness of piece ${index + 1}`}
+        label={messages.roughnessOf(index + 1)}
         value={part.c}
         min={-0.95}
         max={0.95}
@@ -106,7 +102,7 @@ function PieceRow({ index, open }: { index: number; open: boolean }) {
         onDone={endGesture}
       />
       <NumberField
-        label={`Roughness of piece ${index + 1}`}
+        label={messages.roughnessOf(index + 1)}
         symbol="c"
         terse
         value={part.c}
@@ -121,19 +117,19 @@ function PieceRow({ index, open }: { index: number; open: boolean }) {
           <Switch
             checked={part.reflected}
             onChange={(reflected) => changeModel((now) => withPart(now, index, { reflected }))}
-            description="The copy runs from right to left."
+            description={messages.copyRunsFromRight}
           >
-            Mirrored
+            {messages.mirrored}
           </Switch>
           {kind !== "fif" && <Domain index={index} />}
           <Button
             kind="quiet"
             icon="add"
             disabled={parts.length >= MOST_PIECES}
-            description="A point in the middle of this piece, on the graph"
+            description={messages.addsPointInMiddle}
             onClick={() => addKnot(index)}
           >
-            Point
+            {messages.point}
           </Button>
         </div>
       )}
@@ -144,7 +140,7 @@ function PieceRow({ index, open }: { index: number; open: boolean }) {
 function roughWords(c: number): string {
   const size = Math.abs(c);
   if (size === 0) return "straight";
-  return size < 0.3 ? "calm" : size < 0.6 ? "rough" : "very rough";
+  return size < 0.3 ? "calm" : size < 0.6 ? "rough" : messages.veryRough;
 }
 
 function addKnot(piece: number): void {
@@ -196,9 +192,9 @@ function KnotFields() {
   return (
     <fieldset class={css["knot-fields"]}>
       <legend class="row-name">
-        Point{" "}
+        {messages.point}{" "}
         <IndexSelect
-          label="Which point"
+          label={messages.point2}
           value={index}
           count={knots.length}
           onChange={(knot) => {
@@ -207,7 +203,7 @@ function KnotFields() {
         />
       </legend>
       <NumberField
-        label={`Place of point ${index + 1}`}
+        label={messages.placeOf(index + 1)}
         symbol="t"
         terse
         value={knot[0]}
@@ -216,7 +212,7 @@ function KnotFields() {
         onDone={endGesture}
       />
       <NumberField
-        label={`Height of point ${index + 1}`}
+        label={messages.heightOf(index + 1)}
         symbol="x"
         terse
         value={knot[1]}
@@ -229,7 +225,7 @@ function KnotFields() {
         disabled={index === 0 || index === knots.length - 1}
         onClick={() => changeModel((now) => withoutKnot(now, index))}
       >
-        Remove
+        {messages.remove}
       </Button>
     </fieldset>
   );
@@ -240,21 +236,21 @@ function FactList() {
   if (!now) return null;
   const rows: [string, string, string][] = [
     [
-      "Box dimension",
+      messages.boxDimension,
       now.dimension === null ? "–" : `${now.counted ? "about " : ""}${formatNumber(now.dimension, 4)}`,
-      now.counted ? "counted in boxes" : "from the equation of the factors",
+      now.counted ? messages.byCountingBoxes : messages.fromEquationFactors,
     ],
+    [messages.contractivity, formatNumber(now.contractivity, 4), messages.howMuchEachStep],
     [
-      "Contractivity",
-      formatNumber(now.contractivity, 4),
-      "how much each step shrinks the rest, under the metric of eq 2",
-    ],
-    [
-      "Integral",
+      messages.integral,
       now.integral === null ? "–" : formatNumber(now.integral, 5),
-      now.integral === null ? "exact only where parts begin and end at points" : "exact",
+      now.integral === null ? messages.exactOnlyWhereParts : "exact",
     ],
-    ["Widest gap", now.continuous ? "none" : formatNumber(now.widestGap, 5), "between neighbouring pieces"],
+    [
+      messages.widestGap,
+      now.continuous ? "none" : formatNumber(now.widestGap, 5),
+      messages.betweenNeighbouringPieces,
+    ],
   ];
   return (
     <dl class={css["graph-facts"]}>

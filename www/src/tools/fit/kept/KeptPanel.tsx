@@ -13,6 +13,7 @@ import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Curve } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import fitCss from "../fit.module.css";
+import * as messages from "../messages";
 import { cutting } from "../stage/layers";
 import { bendPhotograph, takeKept } from "../use";
 import {
@@ -30,6 +31,8 @@ import {
 } from "./shelf";
 import { aboutWords } from "./words";
 
+const ABOUT = messages.keptFits(MOST_FITS, MOST_PIXELS);
+
 /** As many as are seen at once. */
 const FEW = 5;
 
@@ -41,15 +44,15 @@ export function KeptPanel() {
   const there = rows.value ?? [];
   const shown = all ? there : there.slice(0, FEW);
   return (
-    <section class="stack" aria-label="Your fits" id={SHELF_ID} tabIndex={-1}>
+    <section class="stack" aria-label={messages.yourFits} id={SHELF_ID} tabIndex={-1}>
       <div class="section-head">
-        <h2>Your fits</h2>
+        <h2>{messages.yourFits}</h2>
         <Button
           icon={isKept.value ? "check" : "save"}
           disabled={!canKeep.value || isKept.value}
           onClick={() => void keepFit()}
         >
-          {isKept.value ? "It is kept" : "Keep this fit"}
+          {isKept.value ? messages.saved : messages.saveThisFit}
         </Button>
       </div>
       {trouble.value !== null && (
@@ -66,15 +69,10 @@ export function KeptPanel() {
       )}
       {there.length > FEW && (
         <Button kind="quiet" onClick={() => setAll(!all)}>
-          {all ? "Show fewer" : `Show all ${there.length}`}
+          {all ? messages.showFewer : messages.showAllOf(there.length)}
         </Button>
       )}
-      <p class="hint">
-        {there.length === 0 && "A fit that is kept can be opened again, and used, without fitting anew. "}
-        The last {MOST_FITS}, and those that you pin, with their outlines and, of a photograph, a small
-        picture of the leaf ({MOST_PIXELS} pixels). They stay in this browser and go nowhere; a link does not
-        hold them.
-      </p>
+      <p class="hint">{there.length === 0 ? messages.keptFitsBenefit(ABOUT) : ABOUT}</p>
     </section>
   );
 }
@@ -92,7 +90,7 @@ export function ToShelf() {
   };
   return (
     <Button kind="quiet" icon="down" onClick={go}>
-      Your fits ({count})
+      {messages.yourFitsOf(count)}
     </Button>
   );
 }
@@ -112,7 +110,7 @@ function Entry({ row }: { row: KeptFit }) {
       picture={<Thumbnail bitmap={useThumb(read?.shape.curve ?? null)} />}
       about={
         <>
-          {read ? aboutWords(row, read.fit) : "It cannot be read by this Frond"}
+          {read ? aboutWords(row, read.fit) : messages.thisVersionFrondCannot}
           <br />
           {whenWords(row.time)}
           {row.pinned && " · pinned"}
@@ -125,26 +123,26 @@ function Entry({ row }: { row: KeptFit }) {
       onNamed={() => setNaming(false)}
     >
       <Menu
-        label={`More for ${row.name}`}
+        label={messages.moreFor(row.name)}
         items={[
           ...(shape
             ? [
-                { label: "Use as A", onSelect: take("a") },
-                { label: "Use as B", onSelect: take("b") },
-                { label: "Bend it", onSelect: take("bent") },
+                { label: messages.useAs, onSelect: take("a") },
+                { label: messages.useAsB, onSelect: take("b") },
+                { label: messages.deform, onSelect: take("bent") },
                 ...(photograph
                   ? [
                       {
-                        label: "Bend its photograph",
+                        label: messages.deformPhoto,
                         onSelect: () => void bendPhotograph(shape.name, shape.curve, photograph),
                       },
                     ]
                   : []),
               ]
             : []),
-          { label: "Rename", onSelect: () => setNaming(true) },
-          { label: row.pinned ? "Unpin" : "Pin", onSelect: () => void pinKept(row) },
-          { label: "Remove", onSelect: () => void removeKept(row) },
+          { label: messages.rename, onSelect: () => setNaming(true) },
+          { label: row.pinned ? messages.unpin : messages.pin, onSelect: () => void pinKept(row) },
+          { label: messages.remove, onSelect: () => void removeKept(row) },
         ]}
       />
     </KeptRow>

@@ -7,6 +7,7 @@ import { Fits, type KeptFit, thinned } from "#document/kept/fits";
 import { announce, notify } from "#document/notice";
 import type { CurveShape, Fit } from "#wasm/api";
 import { frond } from "#wasm/core";
+import * as messages from "../messages";
 import { openFit, shapeOf, shownFigures } from "../work/fitting";
 import { plainName } from "../work/name";
 import { raw } from "../work/outline";
@@ -91,7 +92,7 @@ export async function keepFit(): Promise<void> {
     outline: points && thinned(points),
     photograph: await croppedPhotograph(),
   };
-  await after(store.put(row), `${row.name} is kept under “Your fits”.`);
+  await after(store.put(row), messages.isKept(row.name));
 }
 
 /**
@@ -116,7 +117,7 @@ export function openKept(row: KeptFit, fit: Fit): void {
   const { outline, photograph } = row;
   const { smoothing } = fit;
   openFit(fit, outline && { outline: Float64Array.from(outline), smoothing, photograph });
-  announce(`${row.name} is on the stage.`);
+  announce(messages.isOnStage(row.name));
 }
 
 export const renameKept = (row: KeptFit, name: string) => after(store.rename(row.id, name));
@@ -128,7 +129,7 @@ export async function removeKept(row: KeptFit): Promise<void> {
   if (!(await after(store.remove(row.id)))) return;
   notify({
     kind: "info",
-    text: `${row.name} was removed.`,
-    action: { label: "Undo", run: () => void after(store.restore(row), `${row.name} is back.`) },
+    text: messages.wasRemoved(row.name),
+    action: { label: messages.undo, run: () => void after(store.restore(row), messages.isBack(row.name)) },
   });
 }

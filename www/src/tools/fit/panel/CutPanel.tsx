@@ -7,6 +7,7 @@ import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Component } from "#workers/fit/trace-types";
 import fitCss from "../fit.module.css";
+import * as messages from "../messages";
 import { brushSize, exact, type Hand, hand } from "../stage/brush";
 import { step } from "../stage/layers";
 import {
@@ -33,16 +34,16 @@ import { bringBackWords } from "./bring-back";
 export function CutPanel() {
   if (!opened.value) return null;
   return (
-    <section class={`${fitCss["cut-panel"]} stack`} aria-label="Cut out">
+    <section class={`${fitCss["cut-panel"]} stack`} aria-label={messages.cutOut}>
       <Segmented
-        label="Step"
+        label={messages.step}
         value={step.value}
         options={[
-          { value: "cut", label: "1 Cut it out", description: "Say what of the picture is the leaf" },
+          { value: "cut", label: messages.n1CutOut, description: messages.markLeafInPicture },
           {
             value: "fit",
-            label: "2 Fit it",
-            description: "Find the formula of its outline",
+            label: messages.n2Fit,
+            description: messages.findFormulaOutline,
             disabled: step.value === "cut" && !outlined.value,
           },
         ]}
@@ -64,17 +65,13 @@ function Mask() {
         kind="primary"
         icon="arrow"
         disabled={!outlined.value}
-        description={
-          masking.value
-            ? "Wait until the new outline is seen"
-            : "Find the formula of the outline that is seen"
-        }
+        description={masking.value ? messages.waitForNewOutline : messages.findFormulaThisOutline}
         onClick={() => {
           step.value = "fit";
           hand.value = "move";
         }}
       >
-        {masking.value ? "Looking for the outline …" : "Fit this outline"}
+        {masking.value ? messages.findingOutline : messages.fitThisOutline}
       </Button>
       <Messages />
       <LeftOut />
@@ -83,7 +80,7 @@ function Mask() {
       <Turn />
       <SliderField
         digits={2}
-        label="Threshold"
+        label={messages.threshold}
         value={threshold}
         min={-1}
         max={1}
@@ -92,22 +89,22 @@ function Mask() {
         ends={["less", "more"]}
         onChange={(next) => changeMask((now) => ({ ...now, threshold: next }))}
       >
-        <SliderMark at={0.5} title="As it was found by itself" />
+        <SliderMark at={0.5} title={messages.automaticThreshold} />
       </SliderField>
       <Switch
         checked={stalk === "remove"}
-        description="Thin parts that stick out are cut off where they begin"
+        description={messages.removesThinPartsStick}
         onChange={(off) => changeMask((now) => ({ ...now, stalk: off ? "remove" : "keep" }))}
       >
-        Take off the stalk
+        {messages.removeStalk}
       </Switch>
     </>
   );
 }
 
 function thresholdWords(x: number): string {
-  if (x === 0) return "as found";
-  return `${Math.abs(x).toFixed(2)} ${x < 0 ? "less" : "more"} than was found`;
+  if (x === 0) return messages.automatic;
+  return messages.thresholdBy(Math.abs(x).toFixed(2), x < 0 ? "less" : "more");
 }
 
 /** What may be amiss, and the way back. */
@@ -126,12 +123,10 @@ function Messages() {
         </ul>
       )}
       {bringBack !== null && <p class="notes">{bringBack}</p>}
-      {lost && list.length === 0 && (
-        <p class="notes">Nothing was found. Draw a stroke over the leaf with Leaf.</p>
-      )}
+      {lost && list.length === 0 && <p class="notes">{messages.nothingWasFoundDraw}</p>}
       {lost && back && (
         <Button kind="quiet" icon="back" onClick={takeFormer}>
-          Back to {back.name}
+          {messages.backTo(back.name)}
         </Button>
       )}
     </div>
@@ -144,18 +139,16 @@ function LeftOut() {
   if (!near) return null;
   return (
     <div class={fitCss["cut-messages"]} role="status">
-      <p class="notes">
-        {`Part ${near.index + 1} lies close beside it and is left out: it is ${percentOf(near.share)} as large.`}
-      </p>
+      <p class="notes">{messages.partClose(near.index + 1, percentOf(near.share))}</p>
       <Button
         icon="add"
-        description="The gap between the two becomes leaf, as by a stroke, which can be undone"
+        description={messages.fillsGapBetweenTwo}
         onClick={() => {
           addStroke(near.stroke);
-          announce(`Part ${near.index + 1} is joined to it.`);
+          announce(messages.partJoined(near.index + 1));
         }}
       >
-        {`Join part ${near.index + 1} to it`}
+        {messages.joinPart(near.index + 1)}
       </Button>
     </div>
   );
@@ -164,16 +157,16 @@ function LeftOut() {
 const percentOf = (share: number) => `${Math.max(1, Math.round(100 * share))}%`;
 
 const TURNS: readonly { quarters: Quarters; label: string; description: string }[] = [
-  { quarters: 3, label: "Left", description: "Turn the photograph a quarter to the left" },
-  { quarters: 1, label: "Right", description: "Turn the photograph a quarter to the right" },
-  { quarters: 2, label: "Upside down", description: "Turn the photograph by half a turn" },
+  { quarters: 3, label: messages.left, description: messages.rotatePhotoQuarterTurn },
+  { quarters: 1, label: messages.right, description: messages.rotatePhotoQuarterTurnTo },
+  { quarters: 2, label: messages.upsideDown, description: messages.rotatePhotoByHalf },
 ];
 
 /** A leaf that was scanned with its tip down. */
 function Turn() {
   return (
     <fieldset class={fitCss["turns"]}>
-      <legend class="row-name">Turn it</legend>
+      <legend class="row-name">{messages.rotate}</legend>
       {TURNS.map(({ quarters, label, description }) => (
         <Button key={quarters} description={description} onClick={() => void turnPicture(quarters)}>
           {label}
@@ -184,16 +177,16 @@ function Turn() {
 }
 
 const HANDS: readonly { value: Hand; label: string; description: string }[] = [
-  { value: "move", label: "Move", description: "A drag moves the picture" },
-  { value: "keep", label: "Leaf", description: "A stroke says: this is leaf" },
-  { value: "remove", label: "Not leaf", description: "A stroke says: this is not" },
+  { value: "move", label: messages.move, description: messages.dragToMovePicture },
+  { value: "keep", label: messages.leaf, description: messages.paintOverLeaf },
+  { value: "remove", label: messages.notLeaf, description: messages.paintOverWhatNot },
 ];
 
 function Brush() {
   return (
     <div class="stack">
       <ChoiceRow
-        label="Brush"
+        label={messages.brush}
         name="What a drag on the picture does"
         value={hand.value}
         options={HANDS}
@@ -201,52 +194,44 @@ function Brush() {
           hand.value = next;
         }}
       />
-      {hand.value === "move" && masked.value && (
-        <p class="hint">
-          Too little or too much? Choose Leaf or Not leaf and draw over it. Leaves that touch are cut out as
-          one: draw over the one that is not meant with Not leaf.
-        </p>
-      )}
+      {hand.value === "move" && masked.value && <p class="hint">{messages.tooLittleOrToo}</p>}
       {hand.value !== "move" && (
         <>
           <SliderField
-            label="Brush size"
+            label={messages.brushSize}
             value={brushSize.value}
             min={0.2}
             max={20}
             step={0.2}
             digits={1}
             unit="%"
-            words={`${brushSize.value}% of the picture`}
+            words={messages.brushPercent(brushSize.value)}
             onChange={(next) => {
               brushSize.value = next;
             }}
           />
           <Switch
             checked={exact.value}
-            description="A stroke changes what it covers; else what looks like it around goes along"
+            description={messages.onStrokeChangesOnly}
             onChange={(on) => {
               exact.value = on;
             }}
           >
-            Only what is painted
+            {messages.doNotSpread}
           </Switch>
           <p class="hint">
-            {exact.value
-              ? "What is painted changes, and nothing else."
-              : "One stroke is often enough: what looks like it around goes along. The longer it is, the farther."}{" "}
-            By keys: the arrows move it once the picture has the focus, the space bar paints, Escape puts it
-            away.
+            {exact.value ? messages.onlyPaintedPixelsChange : messages.oneStrokeOftenEnough} By keys: the
+            arrows move it once the picture has the focus, the space bar paints, Escape puts it away.
           </p>
         </>
       )}
       <div class={fitCss["source-buttons"]}>
         <Button kind="quiet" icon="reset" disabled={!canUndoStroke()} onClick={undoStroke}>
-          Undo stroke
+          {messages.undoStroke}
         </Button>
         {canRedoStroke() && (
           <Button kind="quiet" onClick={redoStroke}>
-            Redo stroke
+            {messages.redoStroke}
           </Button>
         )}
       </div>
@@ -263,9 +248,9 @@ function Parts() {
   const all = mask.components.slice(0, MOST_PARTS);
   return (
     <fieldset class={fitCss["parts"]}>
-      <legend class="row-name">Which part</legend>
+      <legend class="row-name">{messages.part}</legend>
       {all.map((component, i) => (
-        <label key={i} class={fitCss["cut-part"]} title={`Part ${i + 1}`}>
+        <label key={i} class={fitCss["cut-part"]} title={messages.partNumber(i + 1)}>
           <input
             class="covering"
             type="radio"
@@ -279,7 +264,9 @@ function Parts() {
           <span>
             {i + 1}
             <span class="unseen">
-              {`, ${Math.max(1, Math.round((100 * component.area) / (mask.width * mask.height)))}% of the picture`}
+              {messages.partPercent(
+                Math.max(1, Math.round((100 * component.area) / (mask.width * mask.height))),
+              )}
             </span>
           </span>
         </label>

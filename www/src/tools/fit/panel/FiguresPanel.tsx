@@ -5,6 +5,7 @@ import { percent } from "#format/nearness";
 import { Button } from "#ui/controls/Button";
 import type { FitFigures, Rival } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
+import * as messages from "../messages";
 import { cutting } from "../stage/layers";
 import { compareWords, METHODS, roughWords, signed } from "../words";
 import { cancel, collage, fitAgain, rivals, rivalsWhole, shownFigures, shownFit } from "../work/fitting";
@@ -20,9 +21,9 @@ const model = computed(() => fitDocument.value.model);
 export function FiguresPanel() {
   if (cutting.value) return null;
   return (
-    <section class="stack" aria-label="How near it is">
+    <section class="stack" aria-label={messages.accuracy}>
       <div class="section-head">
-        <h2>How near it is</h2>
+        <h2>{messages.accuracy}</h2>
         <Progress />
       </div>
       {problem.value !== null && (
@@ -40,16 +41,16 @@ function Progress() {
   if (!now) {
     return cancelled.value ? (
       <Button kind="quiet" icon="reset" onClick={fitAgain}>
-        Fit again
+        {messages.fitAgain}
       </Button>
     ) : null;
   }
-  if (model.value === "collage") return <span class="row-name">Fitting …</span>;
+  if (model.value === "collage") return <span class="row-name">{messages.fitting}</span>;
   return (
     <span class={fitCss["fit-progress"]}>
-      <progress class="progress" aria-label="Fit" max={1} value={now.share} />
+      <progress class="progress" aria-label={messages.fit} max={1} value={now.share} />
       <Button kind="quiet" icon="close" onClick={cancel}>
-        Cancel
+        {messages.cancel}
       </Button>
     </span>
   );
@@ -59,7 +60,7 @@ function Closed() {
   const fit = shownFit.value;
   const done = shownFigures.value;
   const current = done && fit && done.curve === fit.curve ? done : null;
-  if (!fit) return awaited.value ? <p class="hint">The first fit will appear in a moment.</p> : null;
+  if (!fit) return awaited.value ? <p class="hint">{messages.firstFitWillAppear}</p> : null;
   const { knots, edges } = fit.curve;
   const copies = edges.filter((edge) => edge !== null).length;
   return (
@@ -70,11 +71,7 @@ function Closed() {
           <p class="hint">{roughWords(current.figures)}</p>
         </>
       ) : current ? (
-        <p class="hint">
-          {source.value.kind === "kept"
-            ? "This fit came without the outline that it was made from. Choose the photograph again to see how near it is, or ask for another number: then the curve itself is fitted anew."
-            : "It is being measured."}
-        </p>
+        <p class="hint">{source.value.kind === "kept" ? messages.thisFitHasNo : messages.measuring}</p>
       ) : null}
       <dl class={`${fitCss["facts"]} number`}>
         <Fact name="Numbers">{numbersOf(fit.curve)}</Fact>
@@ -107,13 +104,19 @@ function Paper() {
 
 /** Errors of the same size as bars, the nearest on top; and in words. */
 function Chart({ own, all }: { own: FitFigures; all: readonly Rival[] }) {
-  if (all.length === 0) return <p class="hint">Others of the same size are being fitted …</p>;
+  if (all.length === 0) return <p class="hint">{messages.fittingOtherMethodsWith}</p>;
   const rough = ({ fitSlope, outlineSlope }: FitFigures) => signed(fitSlope - outlineSlope);
   return (
     <Bars
-      caption="Error of as many numbers, spent in other ways"
+      caption={messages.otherMethodsWithSame}
       rows={[
-        { name: "Closed curve (Frond)", about: "This fit", rms: own.rms, rough: rough(own), own: true },
+        {
+          name: messages.closedCurveFrond,
+          about: messages.thisFit,
+          rms: own.rms,
+          rough: rough(own),
+          own: true,
+        },
         ...all.map(({ method, figures }) => ({
           ...METHODS[method],
           rms: figures.rms,
@@ -121,7 +124,7 @@ function Chart({ own, all }: { own: FitFigures; all: readonly Rival[] }) {
           own: false,
         })),
       ]}
-      words={rivalsWhole.value ? compareWords(own, all) : "More are being fitted …"}
+      words={rivalsWhole.value ? compareWords(own, all) : messages.fittingMore}
     />
   );
 }

@@ -7,6 +7,7 @@ import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { CollageOptions } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
+import * as messages from "../messages";
 import { cutting } from "../stage/layers";
 import { collage, collageOptions } from "../work/fitting";
 import { prepared } from "../work/outline";
@@ -17,37 +18,34 @@ export function ModelPanel() {
   if (cutting.value) return null;
   const { model } = fitDocument.value;
   return (
-    <section class={`${fitCss["model-panel"]} stack`} aria-label="Model">
+    <section class={`${fitCss["model-panel"]} stack`} aria-label={messages.model}>
       <div class="section-head">
-        <h2>Fitted with</h2>
+        <h2>{messages.method}</h2>
       </div>
       <Segmented
-        label="Fitted with"
+        label={messages.method}
         value={model}
         options={[
           {
             value: "closed",
-            label: "Closed curve (Frond)",
-            description: "Knots, and edges that are straight or copies of arcs: closed by construction",
+            label: messages.closedCurveFrond,
+            description: messages.knotsAndEdgesStraight,
           },
           {
             value: "spline",
-            label: "Within bytes",
-            description: "Corners and parabolas, as near as so many bytes allow",
+            label: messages.limitedBytes,
+            description: messages.cornersAndParabolasAs,
           },
           {
             value: "collage",
-            label: "As in the paper (collage)",
-            description: "Cochran, Hart and Flynn, section 3.2",
+            label: messages.asInPaperCollage,
+            description: messages.cochranHartAndFlynn,
           },
         ]}
         onChange={(next) => changeFit((now) => ({ ...now, model: next }))}
       />
       {model === "closed" ? (
-        <p class="hint">
-          Every edge is straight, or a smaller copy of another part of the outline. It has no gaps, however
-          rough it is.
-        </p>
+        <p class="hint">{messages.everyEdgeStraightOr}</p>
       ) : model === "spline" ? (
         <Within />
       ) : (
@@ -71,7 +69,7 @@ function Collage() {
       <div class="row">
         <span class={fitCss["collage-numbers"]}>
           <NumberField
-            label="Maps"
+            label={messages.maps}
             value={now.maps}
             min={2}
             max={400}
@@ -79,7 +77,7 @@ function Collage() {
             onChange={(maps) => change({ maps: Math.round(maps) })}
           />
           <NumberField
-            label="Feature points"
+            label={messages.featurePoints}
             value={now.features}
             min={8}
             max={4000}
@@ -92,44 +90,40 @@ function Collage() {
             <Button
               key={maps}
               kind="quiet"
-              description={`${maps} maps from 261 feature points, as in Fig 7`}
+              description={messages.mapsFrom261(maps)}
               onClick={() => change({ maps, features: 261 })}
             >
-              {`${maps} maps`}
+              {messages.mapsOf(maps)}
             </Button>
           ))}
         </span>
       </div>
       <ChoiceRow
-        label="x and y"
+        label={messages.xAndY}
         value={now.separable ? "apart" : "together"}
         options={[
-          { value: "together", label: "together", description: "A matrix of four numbers each (eq 9)" },
-          { value: "apart", label: "apart", description: "Separable: a number for each coordinate (eq 8)" },
+          { value: "together", label: "together", description: messages.matrixFourNumbersEach },
+          { value: "apart", label: "apart", description: messages.separableNumberForEach },
         ]}
         onChange={(next) => change({ separable: next === "apart" })}
       />
       <ChoiceRow
-        label="Copies begin"
+        label={messages.copiesStart}
         value={now.partitioned ? "anywhere" : "ranges"}
         options={[
-          { value: "ranges", label: "where pieces do", description: "Recurrent: an RFIF" },
-          { value: "anywhere", label: "anywhere", description: "Partitioned: a PFIF" },
+          { value: "ranges", label: messages.wherePiecesDo, description: messages.recurrentRfif },
+          { value: "anywhere", label: "anywhere", description: messages.partitionedPfif },
         ]}
         onChange={(next) => change({ partitioned: next === "anywhere" })}
       />
-      <Switch
-        checked={now.tied}
-        description="The paper's are free, and leave gaps"
-        onChange={(tied) => change({ tied })}
-      >
-        Tie the ends of the pieces
+      <Switch checked={now.tied} description={messages.endsInPaperFree} onChange={(tied) => change({ tied })}>
+        {messages.tieEndsPieces}
       </Switch>
       {fresh && (
         <p class="notes" data-testid="gaps">
           {done.fit.widest > 1e-6
-            ? `Pieces do not meet: the widest gap is ${percent(done.fit.widest)} of the size, the mean ${percent(done.fit.mean)}. They are marked in the picture.`
-            : "All pieces meet: there are no gaps."}
+            ? messages.piecesDoNotMeet(percent(done.fit.widest), percent(done.fit.mean))
+            : messages.allPiecesMeetThere}
         </p>
       )}
     </div>

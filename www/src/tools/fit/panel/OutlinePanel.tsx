@@ -3,6 +3,7 @@ import { endGesture } from "#document/scene";
 import { SliderField } from "#ui/controls/SliderField";
 import { useOwnId } from "#ui/id";
 import fitCss from "../fit.module.css";
+import * as messages from "../messages";
 import { cutting } from "../stage/layers";
 import { prepared } from "../work/outline";
 import { chooseOutline, source } from "../work/source";
@@ -16,28 +17,26 @@ export function OutlinePanel() {
   const { smoothing } = fitDocument.value;
   const crossings = prepared.value?.crossings;
   return (
-    <section class="stack" aria-label="The outline">
+    <section class="stack" aria-label={messages.outline4}>
       <div class="section-head">
-        <h2>The outline</h2>
+        <h2>{messages.outline4}</h2>
       </div>
       <Choice />
       <SliderField
         digits={2}
-        label="Smoothing"
+        label={messages.smoothing}
         value={smoothing}
         min={0}
         max={1}
         step={0.05}
         words={smoothingWords(smoothing)}
-        ends={["none", "for noise"]}
+        ends={["none", messages.forNoise]}
         onChange={(next) => changeFit((now) => ({ ...now, smoothing: next }), { gesture: "smoothing" })}
         onDone={endGesture}
       />
       {crossings !== undefined && crossings !== 0 && (
         <p class="notes">
-          {crossings === null
-            ? "This outline is very tangled. It can be fitted, but smoothing will make it a better one."
-            : `This outline crosses itself ${crossings === 1 ? "once" : `${crossings >= 99 ? "99 times or more" : `${crossings} times`}`}. It can be fitted as it is; smoothing takes crossings of noise away.`}
+          {crossings === null ? messages.thisOutlineVeryTangled : messages.crossesItself(crossings)}
         </p>
       )}
     </section>
@@ -50,7 +49,7 @@ function Choice() {
   const group = useOwnId("outline");
   if (now.kind !== "outlines" || now.outlines.length < 2) return null;
   return (
-    <div class={fitCss["outline-cards"]} role="radiogroup" aria-label="Which outline">
+    <div class={fitCss["outline-cards"]} role="radiogroup" aria-label={messages.outline5}>
       {now.outlines.slice(0, MOST_LISTED).map((outline, i) => (
         <label key={i} class={fitCss["outline-card"]} title={outline.name}>
           <input
@@ -72,5 +71,5 @@ function Choice() {
 
 function smoothingWords(x: number): string {
   if (x === 0) return "none";
-  return `over ${(2 * x * x).toFixed(2)}% of the size`;
+  return messages.overSize((2 * x * x).toFixed(2));
 }

@@ -3,6 +3,7 @@ import { FileButton } from "#ui/files/FileButton";
 import type { Grown } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
 import { ToShelf } from "../kept/KeptPanel";
+import * as messages from "../messages";
 import { takeSeries } from "../series";
 import { prepared, SEEDS } from "../work/outline";
 import { former, type Source, source, takeFile, takeFormer, takeSource } from "../work/source";
@@ -15,36 +16,33 @@ export function SourcePanel() {
   const now = source.value;
   const back = former.value;
   return (
-    <section class="stack" aria-label="What is fitted">
+    <section class="stack" aria-label={messages.source}>
       <div class={fitCss["source-card"]} data-testid="source">
         <span class={fitCss["source-name"]}>{now.name}</span>
         <span class={fitCss["source-about"]}>{aboutOf(now, prepared.value?.points.length ?? null)}</span>
       </div>
       <div class={fitCss["source-buttons"]}>
-        <FileButton kind="primary" label="Photograph or outline file" accept={ACCEPT} onFile={take}>
-          Choose a photograph or outline
+        <FileButton kind="primary" label={messages.photoOrOutlineFile} accept={ACCEPT} onFile={take}>
+          {messages.choosePhotoOrOutline}
         </FileButton>
         <ToShelf />
         {back && back.kind !== "grown" && (
           <Button kind="quiet" icon="back" onClick={takeFormer}>
-            Back to {back.name.length > 24 ? `${back.name.slice(0, 22)}…` : back.name}
+            {messages.backTo(back.name.length > 24 ? `${back.name.slice(0, 22)}…` : back.name)}
           </Button>
         )}
       </div>
-      <p class="hint">
-        Or drop a file anywhere, or paste it: {READS}. It stays on this page. A link holds the fit, but not
-        the file.
-      </p>
+      <p class="hint">{messages.orDrop(READS)}</p>
       <Examples />
     </section>
   );
 }
 
 const EXAMPLES: readonly { grown: Grown; name: string; about: string }[] = [
-  { grown: "sugar-maple", name: "Maple leaf", about: "Five lobes with pointed teeth and round bays" },
-  { grown: "white-oak", name: "Oak leaf", about: "Round lobes and narrow bays" },
-  { grown: "island", name: "Island", about: "A coast that is rough however near it is seen" },
-  { grown: "noisy", name: "Noisy leaf", about: "A maple leaf, badly measured: try the smoothing" },
+  { grown: "sugar-maple", name: messages.mapleLeaf, about: messages.fiveLobesWithPointed },
+  { grown: "white-oak", name: messages.oakLeaf, about: messages.roundLobesAndNarrow },
+  { grown: "island", name: messages.island, about: messages.coastRoughAtEvery },
+  { grown: "noisy", name: messages.noisyLeaf, about: messages.badlyMeasuredMapleLeaf },
 ];
 
 /** Leaves that are grown by program, each time another one. */
@@ -53,7 +51,7 @@ function Examples() {
   return (
     <div class={`${fitCss["examples"]} stack`}>
       <span class="row-name" id="examples-name">
-        Or one grown here
+        {messages.orOneGrownHere}
       </span>
       <ul class={fitCss["examples-list"]} aria-labelledby="examples-name">
         {EXAMPLES.map(({ grown, name, about }) => {
@@ -62,7 +60,7 @@ function Examples() {
             <li key={grown}>
               <Button
                 pressed={here}
-                description={here ? `${about}. Press again to grow another` : about}
+                description={here ? messages.growAnother(about) : about}
                 onClick={() =>
                   takeSource({ kind: "grown", name, grown, seed: here ? now.seed + 1 : SEEDS[grown] })
                 }
@@ -78,20 +76,18 @@ function Examples() {
 }
 
 function aboutOf(now: Source, numbers: number | null): string {
-  const points = numbers === null ? "" : `${(numbers / 2).toLocaleString("en-GB")} points`;
+  const points = numbers === null ? "" : messages.points((numbers / 2).toLocaleString("en-GB"));
   switch (now.kind) {
     case "picture": {
       const { width, height } = now.picture.original;
-      const size = `${width.toLocaleString("en-GB")} × ${height.toLocaleString("en-GB")} pixels`;
-      return points ? `${size}, outline of ${points}` : size;
+      const size = messages.pixels(width.toLocaleString("en-GB"), height.toLocaleString("en-GB"));
+      return points ? messages.sizeAndOutline(size, points) : size;
     }
     case "kept":
-      return now.origin
-        ? `One of your fits, with its outline of ${points}`
-        : "A fit without what it was made from";
+      return now.origin ? messages.keptWithOutline(points) : messages.fitWithoutSource;
     case "outlines":
-      return now.outlines.length > 1 ? `${now.outlines.length} outlines, this one of ${points}` : points;
+      return now.outlines.length > 1 ? messages.severalOutlines(now.outlines.length, points) : points;
     case "grown":
-      return points ? `Grown by program, ${points}` : "Grown by program";
+      return points ? messages.grownBy(points) : messages.generated;
   }
 }

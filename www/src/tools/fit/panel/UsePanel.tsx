@@ -2,6 +2,7 @@ import { fitDocument, type Use } from "#document/fit";
 import { Button } from "#ui/controls/Button";
 import fitCss from "../fit.module.css";
 import { croppedPhotograph, photographed } from "../kept/photograph";
+import * as messages from "../messages";
 import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";
 import { bendPhotograph, fernFit, shownShape, use, waiting } from "../use";
@@ -25,66 +26,57 @@ export function UsePanel() {
   const fitted = spline ? shownWithin.value : shownFit.value;
   const ready = closed ? fitted !== null : shownFigures.value !== null;
   return (
-    <section class="stack" aria-label="Use it">
+    <section class="stack" aria-label={messages.use}>
       <div class="section-head">
-        <h2>Use it</h2>
+        <h2>{messages.use}</h2>
       </div>
       <div class={fitCss["source-buttons"]}>
         <Button kind="primary" icon="arrow" disabled={!ready} {...heldFor("a")} onClick={() => use("a")}>
-          Use as A
+          {messages.useAs}
         </Button>
         <Button
           disabled={!ready}
           {...heldFor("b")}
-          description="The last shape of the morph, instead of the first"
+          description={messages.becomesLastShapeMorph}
           onClick={() => use("b")}
         >
-          Use as B
+          {messages.useAsB}
         </Button>
         <Button disabled={!ready} {...heldFor("bent")} onClick={() => use("bent")}>
-          Bend it
+          {messages.deform}
         </Button>
         {closed && (
-          <Button
-            disabled={!ready}
-            description="A fern becomes this outline, edge by edge and in one piece all the way"
-            onClick={fernFit}
-          >
-            From a fern
+          <Button disabled={!ready} description={messages.fernBecomesThisOutline} onClick={fernFit}>
+            {messages.fromFern}
           </Button>
         )}
         {closed && photographed.value && (
           <Button
             disabled={!ready}
-            description="The leaf, cut out along the curve, under the grid"
+            description={messages.leafCutOutAlong}
             onClick={() => {
               const shape = shownShape();
               if (shape) void bendPhotograph(plainName(source.peek().name), shape.curve, croppedPhotograph());
             }}
           >
-            Bend its photograph
+            {messages.deformPhoto}
           </Button>
         )}
       </div>
       {stalk.value > 0 && (
         <div class="notes stack">
-          <p>
-            It has a stalk, {Math.round(100 * stalk.value)}% as long as the whole. Between a leaf with a stalk
-            and one without, few knots may find a partner, and the way may cross itself.
-          </p>
+          <p>{messages.hasStalk(Math.round(100 * stalk.value))}</p>
           <Button onClick={() => changeMask((now) => ({ ...now, stalk: "remove" }))}>
-            Take off the stalk
+            {messages.removeStalk}
           </Button>
         </div>
       )}
       {spline && (withinDone.value?.bends ?? 0) > 0 && (
-        <p class="hint">
-          Morphs and bends take corners alone: there its parabolas are straight sides, too short to be seen.
-        </p>
+        <p class="hint">{messages.morphsAndDeformationsUse}</p>
       )}
-      {!closed && <p class="hint">The closed curve is what is morphed and bent: it has no gaps.</p>}
+      {!closed && <p class="hint">{messages.morphsAndDeformationsUseClosed}</p>}
       <div class="row">
-        <span class="row-name">Save as</span>
+        <span class="row-name">{messages.saveAs}</span>
         <span class={fitCss["save-buttons"]}>
           {(
             [
@@ -94,7 +86,12 @@ export function UsePanel() {
               ["PNG", savePng],
             ] as const
           ).map(([name, save]) => (
-            <Button key={name} disabled={!ready && closed} description={`Save as ${name}`} onClick={save}>
+            <Button
+              key={name}
+              disabled={!ready && closed}
+              description={messages.saveAsOf(name)}
+              onClick={save}
+            >
               {name}
             </Button>
           ))}
@@ -102,9 +99,7 @@ export function UsePanel() {
       </div>
       {running.value && closed && (
         <p class="hint" role="status">
-          {waiting.value === null
-            ? "It still improves: it is taken there when it is done."
-            : "It goes there as soon as it is done. Press again to stay; Cancel takes the best so far."}
+          {waiting.value === null ? messages.stillImprovingOrB : messages.goesThereWhenDone}
         </p>
       )}
     </section>

@@ -4,6 +4,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
 import type { ByteRival } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
+import * as messages from "../messages";
 import { LEAST_BYTES, MOST_BYTES } from "../numbers";
 import { BYTE_METHODS, compareBytes } from "../words";
 import { awaited } from "../work/progress";
@@ -21,11 +22,11 @@ export function Within() {
     <div class="stack">
       <div class="row">
         <span class="row-name" aria-hidden="true">
-          Bytes
+          {messages.bytes2}
         </span>
         <span class={fitCss["bytes"]}>
           <Segmented
-            label="Bytes"
+            label={messages.bytes2}
             value={String(bytes)}
             options={USUAL.map((few) => ({ value: String(few), label: String(few) }))}
             onChange={(next) => {
@@ -34,7 +35,7 @@ export function Within() {
             }}
           />
           <NumberField
-            label="Any number of bytes"
+            label={messages.anyNumberBytes}
             value={bytes}
             min={LEAST_BYTES}
             max={MOST_BYTES}
@@ -45,11 +46,7 @@ export function Within() {
           />
         </span>
       </div>
-      <p class="hint">
-        A curve of corners and parabolas, as near as so many bytes allow. The bytes are all of it: in a link
-        they are a third more letters, and a morph or a bend of it stands beside them. It has no copies of its
-        parts.
-      </p>
+      <p class="hint">{messages.curveCornersAndParabolas}</p>
     </div>
   );
 }
@@ -59,16 +56,13 @@ export function WithinFigures() {
   const fit = shownWithin.value;
   const done = withinDone.value;
   const current = done && fit && done.word === fit.word ? done : null;
-  if (!fit) return awaited.value ? <p class="hint">The first fit will appear in a moment.</p> : null;
+  if (!fit) return awaited.value ? <p class="hint">{messages.firstFitWillAppear}</p> : null;
   return (
     <>
       {current?.figures ? (
         <Table figures={current.figures} />
       ) : current && source.value.kind === "kept" ? (
-        <p class="hint">
-          This fit came without the outline that it was made from. Choose the photograph again to see how near
-          it is, or ask for other bytes: then the curve itself is fitted anew.
-        </p>
+        <p class="hint">{messages.thisFitHasNoOutline}</p>
       ) : null}
       {current && (
         <dl class={`${fitCss["facts"]} number`} data-testid="within-facts">
@@ -84,21 +78,18 @@ export function WithinFigures() {
 }
 
 function Others({ own, rms, all }: { own: WithinDone; rms: number; all: readonly ByteRival[] | null }) {
-  if (!all) return <p class="hint">Others of as many bytes are being fitted …</p>;
+  if (!all) return <p class="hint">{messages.fittingOtherMethodsWithSame}</p>;
   return (
     <>
       <Bars
-        caption={`Error of ${own.asked.toLocaleString("en-GB")} bytes, spent in other ways`}
+        caption={messages.othersWithBytes(own.asked.toLocaleString("en-GB"))}
         rows={[
-          { name: "Corners and parabolas (Frond)", about: "This fit", rms, own: true },
+          { name: messages.cornersAndParabolasFrond, about: messages.thisFit, rms, own: true },
           ...all.map(({ method, rms }) => ({ ...BYTE_METHODS[method], rms, own: false })),
         ]}
         words={compareBytes(rms, all)}
       />
-      <p class="hint">
-        Polylines are packed in the same form. Bézier curves and Fourier descriptors are counted as an ideal
-        coder would write them, so they may take a few bytes more.
-      </p>
+      <p class="hint">{messages.polylinesPackedInSame}</p>
     </>
   );
 }

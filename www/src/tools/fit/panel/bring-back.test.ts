@@ -6,7 +6,7 @@ test("what a stroke needs to bring back what surrounds a picture is said once", 
   const blank = { code: "blank", message: "Nothing stands out." } as const;
   expect(bringBackWords([blank, frame], false)).toBeNull();
   expect(bringBackWords([frame], true)).toBe(
-    "Switch off “Only what is painted” first: a stroke brings back no more than it covers otherwise.",
+    "Turn off “Do not spread” first. With it, a stroke brings back only what it covers.",
   );
   expect(bringBackWords([blank], true)).toBeNull();
 });

@@ -1,5 +1,6 @@
 /** What the panel adds to the words of a mask, in the names of its own controls. */
 import type { TraceWarning } from "#workers/fit/trace-types";
+import * as messages from "../messages";
 
 /**
  * What has to be done first where a stroke is to bring back what surrounds the picture, as the warning itself tells: a
@@ -7,5 +8,5 @@ import type { TraceWarning } from "#workers/fit/trace-types";
  */
 export function bringBackWords(warnings: readonly TraceWarning[], exact: boolean): string | null {
   if (!exact || !warnings.some(({ code }) => code === "surrounded")) return null;
-  return "Switch off “Only what is painted” first: a stroke brings back no more than it covers otherwise.";
+  return messages.turnOffDoNot;
 }

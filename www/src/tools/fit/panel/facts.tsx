@@ -4,6 +4,7 @@ import { percent } from "#format/nearness";
 import { fixed } from "#format/numbers";
 import type { FitFigures } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
+import * as messages from "../messages";
 import { signed } from "../words";
 
 export function Fact({ name, children }: { name: string; children: string | number }) {
@@ -19,21 +20,21 @@ export function Table({ figures }: { figures: FitFigures }) {
   const { rms, hausdorff, lengthRatio, fitSlope, outlineSlope } = figures;
   return (
     <dl class={`${fitCss["facts"]} number`} data-testid="figures">
-      <div title="Root mean square distance from the outline to the fit, in percent of the diagonal of its box">
-        <dt>Error (RMS)</dt>
+      <div title={messages.rootMeanSquareDistance}>
+        <dt>{messages.errorRms}</dt>
         <dd data-testid="rms">{percent(rms)}</dd>
       </div>
-      <div title="No point of the outline or of the fit is farther from the other">
-        <dt>Farthest (Hausdorff)</dt>
+      <div title={messages.noPointOutlineOr}>
+        <dt>{messages.largestDistanceHausdorff}</dt>
         <dd>{percent(hausdorff)}</dd>
       </div>
-      <div title="The fit's length over the outline's">
-        <dt>Length</dt>
+      <div title={messages.perimeterFitDividedBy}>
+        <dt>{messages.perimeter}</dt>
         <dd>{`${fixed(100 * lengthRatio, 1)}%`}</dd>
       </div>
-      <div title="Box dimension between 1/64 and 1/256 of the diagonal: leaf, fit, and the difference dD">
+      <div title={messages.boxDimensionBetween1}>
         <dt>
-          Dimension <span class="symbol">D</span>
+          {messages.dimension} <span class="symbol">D</span>
         </dt>
         <dd>{`${fixed(outlineSlope, 3)} / ${fixed(fitSlope, 3)} (${signed(fitSlope - outlineSlope)})`}</dd>
       </div>
@@ -61,10 +62,10 @@ export function Bars({ caption, rows, words }: { caption: string; rows: readonly
         <caption>{caption}</caption>
         <thead>
           <tr>
-            <th scope="col">Way</th>
-            <th scope="col">RMS</th>
+            <th scope="col">{messages.method}</th>
+            <th scope="col">{messages.rms}</th>
             {rough && (
-              <th scope="col" title="Difference in box dimension">
+              <th scope="col" title={messages.differenceInBoxDimension}>
                 dD
               </th>
             )}

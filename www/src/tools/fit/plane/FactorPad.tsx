@@ -2,6 +2,7 @@ import { announce } from "#document/notice";
 import { fixed } from "#format/numbers";
 import { screen } from "#geometry/coordinates";
 import { useGrip } from "#stage/grip";
+import * as messages from "../messages";
 import type { Factor } from "./model/curve";
 import { norm } from "./model/curve";
 import { curve, problem, refused, setFactor } from "./model/document";
@@ -39,9 +40,7 @@ export function FactorPad({ piece, factor, apart }: FactorPadProps) {
   const [cx, cxy, cyx, cy] = factor;
   return (
     <svg class={css["pad"]} width={SIZE} height={SIZE} viewBox={`0 0 ${SIZE} ${SIZE}`}>
-      <title>
-        {`What piece ${piece + 1} makes of a circle: ${fixed(norm(factor), 3)} times as long at most. It must stay inside.`}
-      </title>
+      <title>{messages.circleOf(piece + 1, fixed(norm(factor), 3))}</title>
       <path class={css["cross"]} d={`M0 ${SIZE / 2}H${SIZE}M${SIZE / 2} 0V${SIZE}`} />
       <circle class={css["factor-ring"]} cx={SIZE / 2} cy={SIZE / 2} r={UNIT} />
       <path class={css["image"]} d={ellipse(factor)} />
@@ -94,7 +93,7 @@ function Arrow(props: { piece: number; axis: 0 | 1; apart: boolean; x: number; y
         data-handle=""
         role="button"
         tabindex={0}
-        aria-label={`Where piece ${piece + 1} takes ${name}: ${fixed(x, 3)}, ${fixed(y, 3)}. Arrow keys move it, with Shift finer`}
+        aria-label={messages.takesTo(piece + 1, name, fixed(x, 3), fixed(y, 3))}
         transform={`translate(${left(x).toFixed(1)} ${top(y).toFixed(1)})`}
       >
         <circle class={css["factor-reach"]} r={18} />

@@ -8,6 +8,7 @@ import { Switch } from "#ui/controls/Switch";
 import { CopiedSpan } from "../by-hand/CopiedSpan";
 import { colourOf, PieceList, PieceNumber } from "../by-hand/PieceList";
 import graphCss from "../graph/graph.module.css";
+import * as messages from "../messages";
 import { FactorPad } from "./FactorPad";
 import {
   alongSide,
@@ -42,16 +43,16 @@ const choosePiece = (piece: number) => {
 export function Pieces() {
   return (
     <>
-      <p class="row-name">In a copy, x and y answer</p>
+      <p class="row-name">{messages.inCopyXAnd}</p>
       <Segmented
-        label="How x and y of a copy answer to each other"
+        label={messages.howXAndY}
         options={[
           {
             value: "apart",
-            label: "each to itself",
-            description: "Eq 8: x and y are two functions of one t",
+            label: messages.onThemselvesOnly,
+            description: messages.eq8XAnd,
           },
-          { value: "together", label: "to both", description: "Eq 9: copies turn and lean" },
+          { value: "together", label: messages.onBoth, description: messages.eq9CopiesRotate },
         ]}
         value={shownApart.value ? "apart" : "together"}
         onChange={(kind) => {
@@ -72,12 +73,12 @@ export function Pieces() {
 
 /** What a factor does, in words. */
 function about(factor: Factor, side: "turned" | "mirrored" | null): string {
-  const size = `${fixed(norm(factor), 2)} times`;
+  const size = messages.times(fixed(norm(factor), 2));
   if (factor.every((x) => x === 0)) return "straight";
-  if (side === null) return `at most ${size} as large`;
+  if (side === null) return messages.atMostLarge(size);
   const degrees = Math.round((180 / Math.PI) * Math.atan2(factor[2], factor[0]));
-  if (side === "mirrored") return `${size} as large, mirrored`;
-  return degrees === 0 ? `${size} as large` : `${size} as large, turned by ${degrees}°`;
+  if (side === "mirrored") return messages.mirroredLarge(size);
+  return degrees === 0 ? messages.large(size) : messages.rotatedLarge(size, degrees);
 }
 
 function Row({ index, open }: { index: number; open: boolean }) {
@@ -113,7 +114,7 @@ function More({ index, factor }: { index: number; factor: Factor }) {
         {ENTRIES.filter(({ own }) => own || !shownApart.value).map(({ k, name, symbol }) => (
           <NumberField
             key={k}
-            label={`${name}, piece ${index + 1}`}
+            label={messages.entryOf(name, index + 1)}
             symbol={symbol}
             terse
             value={factor[k]}
@@ -129,17 +130,17 @@ function More({ index, factor }: { index: number; factor: Factor }) {
         <div class="row">
           <Button
             pressed={side === "turned"}
-            description="The copy is similar to what it copies, turned along the straight side from point to point"
+            description={messages.copySimilarToWhat}
             onClick={() => along(false)}
           >
-            Along its side
+            {messages.alongSide}
           </Button>
           <Button
             pressed={side === "mirrored"}
-            description="The same, mirrored at its side"
+            description={messages.sameMirroredAtSide}
             onClick={() => along(true)}
           >
-            Mirrored
+            {messages.mirrored}
           </Button>
         </div>
       )}
@@ -153,18 +154,18 @@ function More({ index, factor }: { index: number; factor: Factor }) {
               return withPiece(old, index, { span: [to, from] });
             })
           }
-          description="The copy begins where the last point goes."
+          description={messages.copyStartsWhereLast}
         >
-          Runs backwards
+          {messages.runsBackwards}
         </Switch>
         <Button
           kind="quiet"
           icon="add"
           disabled={now.pieces.length >= MOST_PIECES}
-          description="A point in the middle of this piece, on the curve"
+          description={messages.addsPointInMiddleThis}
           onClick={() => addPoint(index)}
         >
-          Point
+          {messages.point}
         </Button>
       </div>
     </div>

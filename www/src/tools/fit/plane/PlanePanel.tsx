@@ -5,6 +5,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { Select } from "#ui/controls/Select";
 import { IndexSelect } from "../by-hand/IndexSelect";
 import graphCss from "../graph/graph.module.css";
+import * as messages from "../messages";
 import { type Place, withoutPoint, withPlace, withTime } from "./model/curve";
 import { change, chosenPoint, curve, maps, problem } from "./model/document";
 import { EXAMPLES } from "./model/examples";
@@ -18,9 +19,9 @@ export function PlanePanel() {
     <div class={graphCss["fit-graph-panel"]}>
       <section class="stack">
         <div class="section-head">
-          <h2>The curve</h2>
+          <h2>{messages.curve2}</h2>
           <Select
-            aria-label="An example"
+            aria-label={messages.example}
             value=""
             onChange={(event) => {
               const example = EXAMPLES.find(({ id }) => id === event.currentTarget.value);
@@ -29,7 +30,7 @@ export function PlanePanel() {
             }}
           >
             <option value="" disabled>
-              Examples …
+              {messages.examples}
             </option>
             {EXAMPLES.map(({ id, name }) => (
               <option key={id} value={id}>
@@ -38,10 +39,7 @@ export function PlanePanel() {
             ))}
           </Select>
         </div>
-        <p class="hint">
-          It goes through its points, wherever they lie, and every piece from point to point is a copy of it.
-          A copy’s factor is a matrix of two rows that has to shorten every direction.
-        </p>
+        <p class="hint">{messages.curvePassesThroughPoints}</p>
         <Pieces />
         <PointFields />
         <Facts />
@@ -64,9 +62,9 @@ function PointFields() {
   return (
     <fieldset class={css["plane-places"]}>
       <legend class="row-name">
-        Point{" "}
+        {messages.point}{" "}
         <IndexSelect
-          label="Which point"
+          label={messages.point2}
           value={index}
           count={points.length}
           onChange={(place) => {
@@ -79,11 +77,11 @@ function PointFields() {
           disabled={index === 0 || index === points.length - 1 || points.length <= 3}
           onClick={() => change((now) => withoutPoint(now, index))}
         >
-          Remove
+          {messages.remove}
         </Button>
       </legend>
       <NumberField
-        label={`x of point ${index + 1}`}
+        label={messages.xOf(index + 1)}
         symbol="x"
         terse
         value={x}
@@ -91,7 +89,7 @@ function PointFields() {
         onDone={endGesture}
       />
       <NumberField
-        label={`y of point ${index + 1}`}
+        label={messages.yOf(index + 1)}
         symbol="y"
         terse
         value={y}
@@ -99,7 +97,7 @@ function PointFields() {
         onDone={endGesture}
       />
       <NumberField
-        label={`When point ${index + 1} is reached`}
+        label={messages.whenReached(index + 1)}
         symbol="t"
         terse
         value={t}
@@ -115,12 +113,12 @@ function Facts() {
   const s = maps.value?.contractivity;
   return (
     <dl class={graphCss["graph-facts"]}>
-      <div title="10 numbers a map, of which t takes two; 8 where x and y answer each to itself">
-        <dt>Maps</dt>
+      <div title={messages.n10NumbersMapT}>
+        <dt>{messages.maps}</dt>
         <dd class="number">{pieces.length}</dd>
       </div>
-      <div title="How much each step shrinks the rest, under the metric of eq 2 with norms for factors">
-        <dt>Contractivity</dt>
+      <div title={messages.howMuchEachStepShrinks}>
+        <dt>{messages.contractivity}</dt>
         <dd class="number">{s === undefined ? "–" : formatNumber(s, 4)}</dd>
       </div>
     </dl>

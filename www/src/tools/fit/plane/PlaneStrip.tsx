@@ -1,4 +1,5 @@
 import graphCss from "../graph/graph.module.css";
+import * as messages from "../messages";
 import { curve } from "./model/document";
 import css from "./plane.module.css";
 import { look } from "./stage/shown";
@@ -10,9 +11,7 @@ const HEIGHT = 100;
 export function PlaneStrip() {
   return (
     <div class={graphCss["graph-strip"]}>
-      <p class="hint">
-        Drag the points anywhere. The two arrows of a piece turn and lean its copy, inside the circle.
-      </p>
+      <p class="hint">{messages.dragPointsAnywhereTwo}</p>
       <div class={css["coordinates"]}>
         <Coordinate name="x" at={1} />
         <Coordinate name="y" at={2} />
@@ -42,14 +41,14 @@ function Coordinate({ name, at }: { name: string; at: 1 | 2 }) {
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         preserveAspectRatio="none"
         role="img"
-        aria-label={`${name} as a function of t`}
+        aria-label={messages.functionOfT(name)}
       >
         {points.slice(1, -1).map(([t], i) => (
           <path key={i} class={css["knot-line"]} d={`M${left(t).toFixed(1)} 0V${HEIGHT}`} />
         ))}
         {steps.length > 1 && <path class={css["coordinate"]} d={`M${steps.join("L")}`} />}
       </svg>
-      <figcaption>{name} over t</figcaption>
+      <figcaption>{messages.overT(name)}</figcaption>
     </figure>
   );
 }

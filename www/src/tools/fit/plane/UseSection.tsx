@@ -1,4 +1,5 @@
 import { Button } from "#ui/controls/Button";
+import * as messages from "../messages";
 import { MOST_MAPS, plainMaps } from "./model/curve";
 import { maps } from "./model/document";
 import { outlineOf, systemOf, takeOutline, takeSystem } from "./use";
@@ -17,30 +18,22 @@ export function UseSection() {
     }
   };
   return (
-    <section class="stack" aria-label="Use it">
+    <section class="stack" aria-label={messages.use}>
       <div class="section-head">
-        <h2>Use it</h2>
+        <h2>{messages.use}</h2>
       </div>
       <div class="row">
         <Button kind="primary" icon="arrow" disabled={!now} onClick={() => take("a")}>
-          Use as A
+          {messages.useAs}
         </Button>
-        <Button
-          disabled={!now}
-          description="The last shape of the morph, instead of the first"
-          onClick={() => take("b")}
-        >
-          Use as B
+        <Button disabled={!now} description={messages.becomesLastShapeMorph} onClick={() => take("b")}>
+          {messages.useAsB}
         </Button>
         <Button disabled={!now} onClick={() => take("bent")}>
-          Bend it
+          {messages.deform}
         </Button>
       </div>
-      <p class="hint">
-        {rows
-          ? `It is the attractor of ${rows.length} maps of the plane, and goes along as such, exactly.`
-          : "Its maps need t beside x and y, so it goes along as an outline of short straight sides, closed from its last point to its first."}
-      </p>
+      <p class="hint">{rows ? messages.attractorOf(rows.length) : messages.mapsNeedTBesides}</p>
     </section>
   );
 }

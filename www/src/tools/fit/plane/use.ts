@@ -5,12 +5,13 @@ import { notify, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import type { CurveShape, Shape } from "#wasm/api";
 import { rough } from "#wasm/curve";
+import * as messages from "../messages";
 import { MOST_MAPS, plainMaps } from "./model/curve";
 import { maps } from "./model/document";
 
 /** The most corners of an outline: as many as a link holds with ease. */
 const MOST_CORNERS = 1024;
-const NAME = "Curve of the plane";
+const NAME = messages.curvePlane;
 
 /** The maps of the plane that make it; null where its maps need t. */
 export function systemOf(): Shape | null {
@@ -45,11 +46,11 @@ export const takeSystem = (shape: Shape, to: Use): void => takeMaps(shape, to);
 export function takeOutline(shape: CurveShape, to: Use): void {
   try {
     const partner = rough.curvePresets().find(({ id }) => id === "sugar-maple") ?? rough.curvePresets()[0];
-    if (!partner) throw new Error("there is no other shape");
+    if (!partner) throw new Error(messages.thereNoOtherShape);
     const before = scene.peek();
     takeCurve(shape, partner, to);
     tellReplaced(before, to === "b" ? "b" : "a");
   } catch (problem) {
-    notify({ kind: "error", text: `This curve cannot be taken there: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.curveNotUsed(wordsOf(problem)) });
   }
 }

@@ -6,6 +6,7 @@ import { GREY } from "#style/colours";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/controls/Button";
 import fitCss from "../fit.module.css";
+import * as messages from "../messages";
 import { statusWords } from "../words";
 import { brushKey, brushKeyUp, endStroke, painting } from "./brush";
 import { effectiveView, fitStage, stageSize, view, watchCamera, zoom } from "./camera";
@@ -14,8 +15,7 @@ import { attachGestures, stageKey } from "./gestures";
 import { sight } from "./sight";
 import { dropVeil } from "./veil";
 
-const LABEL =
-  "The outline and its fit. Arrow keys move them, plus and minus zoom, 0 shows all. With a brush in hand, arrow keys move the brush and the space bar paints.";
+const LABEL = messages.outlineAndFitArrow;
 
 /** The outline, the fit over it, and below them the picture. */
 export function FitStage() {
@@ -100,7 +100,7 @@ function Readout() {
       <IconButton
         icon="whole"
         kind="quiet"
-        label="Fit to the stage"
+        label={messages.fitToStage}
         command="fit"
         disabled={view.value === null}
         onClick={fitStage}

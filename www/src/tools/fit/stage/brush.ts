@@ -5,6 +5,7 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { announce } from "#document/notice";
 import type { Stroke } from "#workers/fit/trace-types";
+import * as messages from "../messages";
 import { addStroke } from "../work/mask";
 import { opened } from "../work/source";
 import { cutting } from "./layers";
@@ -86,7 +87,7 @@ export function brushKey(event: KeyboardEvent): boolean {
     cursor.value = at;
     if (!event.repeat && !stroke.peek()) {
       beginStroke(at);
-      announce(hand.peek() === "keep" ? "Painting: leaf." : "Painting: not leaf.");
+      announce(hand.peek() === "keep" ? messages.paintingLeaf : messages.paintingNotLeaf);
     }
     return true;
   }

@@ -1,15 +1,12 @@
 import { HoldButton } from "#ui/controls/HoldButton";
+import * as messages from "../messages";
 import { comparing } from "../stage/layers";
 
 /** While it is held, the outline is seen without the fit. */
 export function CompareButton() {
   return (
-    <HoldButton
-      held={comparing}
-      title="Hold to see the outline, or the picture, without the fit"
-      command="compare"
-    >
-      Hold to compare
+    <HoldButton held={comparing} title={messages.holdToSeeOutline} command="compare">
+      {messages.holdToCompare}
     </HoldButton>
   );
 }

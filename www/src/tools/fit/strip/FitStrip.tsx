@@ -6,6 +6,7 @@ import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
 import { numbersPerMap } from "#workers/fit/map-numbers";
 import fitCss from "../fit.module.css";
+import * as messages from "../messages";
 import {
   bytesAt,
   even,
@@ -25,7 +26,7 @@ import { Layers } from "./Layers";
 /** The one slider: how many numbers; and what is looked at. */
 export function FitStrip() {
   return (
-    <section class={`strip ${fitCss["fit-strip"]}`} aria-label="Size of the fit">
+    <section class={`strip ${fitCss["fit-strip"]}`} aria-label={messages.sizeFit}>
       <CompareButton />
       <Size />
       {!narrow.value && <Layers />}
@@ -53,7 +54,7 @@ function Bytes() {
   return (
     <div class={fitCss["numbers"]}>
       <NumberField
-        label="How many bytes"
+        label={messages.bytesInFit}
         value={bytes}
         min={LEAST_BYTES}
         max={MOST_BYTES}
@@ -62,12 +63,12 @@ function Bytes() {
         onDone={endGesture}
       />
       <Slider
-        label="How many bytes"
+        label={messages.bytesInFit}
         value={placeOf(bytes)}
         min={LOW_BYTES}
         max={HIGH_BYTES}
         step={0.1}
-        valueText={`${bytes} bytes`}
+        valueText={messages.bytesOf(bytes)}
         onChange={(place) => change(bytesAt(place))}
         onDone={endGesture}
       />
@@ -91,7 +92,7 @@ function Numbers() {
   return (
     <div class={fitCss["numbers"]}>
       <NumberField
-        label="How many numbers"
+        label={messages.numbersInFit}
         value={numbers}
         min={LEAST_NUMBERS}
         max={MOST_NUMBERS}
@@ -101,12 +102,12 @@ function Numbers() {
         onDone={endGesture}
       />
       <Slider
-        label="How many numbers"
+        label={messages.numbersInFit}
         value={placeOf(numbers)}
         min={LOW}
         max={HIGH}
         step={0.1}
-        valueText={`${numbers} numbers`}
+        valueText={messages.numbersIs(numbers)}
         onChange={(place) => change(numbersAt(place))}
         onDone={endGesture}
       />
@@ -134,7 +135,7 @@ function Maps() {
   return (
     <div class={fitCss["numbers"]}>
       <NumberField
-        label="How many maps"
+        label={messages.mapsInFit}
         value={maps}
         min={LEAST_MAPS}
         max={400}
@@ -142,12 +143,12 @@ function Maps() {
         onChange={(next) => change(Math.round(next))}
       />
       <Slider
-        label="How many maps"
+        label={messages.mapsInFit}
         value={Math.log2(Math.min(maps, MOST_MAPS))}
         min={Math.log2(LEAST_MAPS)}
         max={Math.log2(MOST_MAPS)}
         step={0.1}
-        valueText={`${maps} maps, ${numbersPerMap(separable) * maps} numbers`}
+        valueText={messages.mapsAndNumbers(maps, numbersPerMap(separable) * maps)}
         onChange={(place) => change(Math.round(2 ** place))}
       />
     </div>

@@ -1,6 +1,7 @@
 import { fitDocument } from "#document/fit";
 import { Switch } from "#ui/controls/Switch";
 import fitCss from "../fit.module.css";
+import * as messages from "../messages";
 import { knotsShown, outlineShown, photoShown } from "../stage/layers";
 import { opened } from "../work/source";
 
@@ -9,7 +10,7 @@ export function Layers() {
   const { model } = fitDocument.value;
   return (
     <fieldset class={fitCss["layers"]}>
-      <legend class="unseen">Shown</legend>
+      <legend class="unseen">{messages.shown}</legend>
       {opened.value && (
         <Switch
           checked={photoShown.value}
@@ -17,7 +18,7 @@ export function Layers() {
             photoShown.value = on;
           }}
         >
-          Picture
+          {messages.picture2}
         </Switch>
       )}
       <Switch
@@ -26,7 +27,7 @@ export function Layers() {
           outlineShown.value = on;
         }}
       >
-        Outline
+        {messages.outline}
       </Switch>
       <Switch
         checked={knotsShown.value}
@@ -34,7 +35,7 @@ export function Layers() {
           knotsShown.value = on;
         }}
       >
-        {{ closed: "Knots", spline: "Control points", collage: "Feature points" }[model]}
+        {{ closed: messages.knots, spline: messages.controlPoints, collage: messages.featurePoints }[model]}
       </Switch>
     </fieldset>
   );

@@ -10,6 +10,7 @@ import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
 import type { Collage, CollageOptions, FitFigures, Method, PreparedOutline, Rival } from "#workers/fit/curve";
 import { isStopped, Latest } from "#workers/lanes/latest";
+import * as messages from "../messages";
 import { reached, sameCurve } from "../same-curve";
 import { plainName } from "./name";
 import { polylineOf, prepared, ready, SEEDS, upToDate } from "./outline";
@@ -314,7 +315,7 @@ function finish(done: Fitted): void {
     running.value = null;
   });
   keep(done);
-  if (done.figures) announce(`Fitted: ${done.figures.rms.toFixed(3)} percent off.`);
+  if (done.figures) announce(messages.fitted(done.figures.rms.toFixed(3)));
 }
 
 function put<T>(
@@ -397,7 +398,7 @@ async function fitCollage(
       collage.value = { of: outline, options, fit };
       running.value = null;
     });
-    announce(`Fitted with ${options.maps} maps: ${fit.figures.rms.toFixed(3)} percent off.`);
+    announce(messages.fittedWith(options.maps, fit.figures.rms.toFixed(3)));
   } catch (wrong) {
     if (!signal.aborted && !isStopped(wrong)) fail(wrong);
   }
@@ -412,7 +413,7 @@ export function cancel(): void {
     running.value = null;
     cancelled.value = true;
   });
-  announce("Stopped. The best so far is kept.");
+  announce(messages.stoppedBestFitSo);
   if (fitDocument.peek().model === "spline") {
     void keepReached(signal);
     return;

@@ -4,6 +4,7 @@ import { announce, notify, wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
 import type { Component, Masked, Stroke, TraceWarning } from "#workers/fit/trace-types";
 import { InTurn, isStopped } from "#workers/lanes/latest";
+import * as messages from "../messages";
 import { framed, frameOfSize } from "./frame";
 import { type NearPart, nearPart } from "./near-part";
 import { opened, PICTURE_LANE } from "./source";
@@ -67,7 +68,7 @@ export function undoStroke(): void {
   if (!last) return;
   undone.value = [...undone.peek(), last];
   changeMask((now) => ({ ...now, strokes: strokes.slice(0, -1) }));
-  announce("The last stroke is taken back.");
+  announce(messages.removedLastStroke);
 }
 
 export function redoStroke(): void {

@@ -7,6 +7,7 @@ import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
 import type { PreparedOutline } from "#workers/fit/curve";
 import { InTurn, isStopped } from "#workers/lanes/latest";
+import * as messages from "../messages";
 import { boxOf, framed, frameOfPoints, frameOfSize, PLAIN } from "./frame";
 import { traced } from "./mask";
 import { chooseOutline, former, type Source, source, takeFormer } from "./source";
@@ -150,9 +151,9 @@ async function prepare(points: Float64Array, smoothing: number): Promise<void> {
     const now = source.peek();
     notify({
       kind: "error",
-      text: `This outline cannot be fitted: ${wordsOf(problem)}`,
+      text: messages.outlineNotFitted(wordsOf(problem)),
       ...(back && now.kind !== "picture"
-        ? { action: { label: `Back to ${back.name}`, run: takeFormer } }
+        ? { action: { label: messages.backTo(back.name), run: takeFormer } }
         : {}),
     });
     if (now.kind === "outlines" && now.chosen !== 0) chooseOutline(0);

@@ -13,6 +13,7 @@ import type {
   ReadOutline,
 } from "#workers/fit/trace-types";
 import { isStopped, Latest } from "#workers/lanes/latest";
+import * as messages from "../messages";
 
 export type Source =
   | { kind: "grown"; name: string; grown: Grown; seed: number }
@@ -40,7 +41,7 @@ export interface Origin {
   photograph: KeptPhotograph | null;
 }
 
-export const FIRST: Source = { kind: "grown", name: "Maple leaf", grown: "sugar-maple", seed: 1 };
+export const FIRST: Source = { kind: "grown", name: messages.mapleLeaf, grown: "sugar-maple", seed: 1 };
 
 const present = signal<Source>(FIRST);
 const before = signal<Source | null>(null);
@@ -91,7 +92,7 @@ export function takeFormer(): void {
   const now = present.peek();
   before.value = now;
   present.value = last;
-  announce(`${last.name} is on the stage again.`);
+  announce(messages.backOnStage(last.name));
 }
 
 /** Another of the outlines of a file. */
@@ -115,7 +116,7 @@ export async function takeFile(
   takeSeries: (series: OpenedSeries) => void,
 ): Promise<void> {
   const signal = files.begin();
-  const name = given.trim() || "Outline";
+  const name = given.trim() || messages.outline;
   reading.value = name;
   try {
     const got = await fitTask("openFile", { file, name }, { lane: PICTURE_LANE });
@@ -129,7 +130,7 @@ export async function takeFile(
   } catch (problem) {
     if (signal.aborted || isStopped(problem)) return;
     reading.value = null;
-    notify({ kind: "error", text: `${wordsOf(problem)} What is on the stage stays.` });
+    notify({ kind: "error", text: messages.stageUnchanged(wordsOf(problem)) });
   }
 }
 
@@ -140,7 +141,7 @@ function adopt(got: Opened, takeSeries: (series: OpenedSeries) => void): void {
   }
   takeSource(got.kind === "picture" ? { kind: "picture", name: got.name, picture: got } : ofOutlines(got));
   for (const warning of got.warnings) notify({ kind: "info", text: warning.message });
-  announce(`${got.name} is on the stage.`);
+  announce(messages.isOnStage(got.name));
 }
 
 function ofOutlines({ name, outlines }: OpenedOutlines): Source {

@@ -2,6 +2,7 @@
 import { announce, notify, wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
 import { isStopped, Latest } from "#workers/lanes/latest";
+import * as messages from "../messages";
 import { keepFor, part, settings } from "./mask";
 import { opened, PICTURE_LANE, replacePicture } from "./source";
 
@@ -9,9 +10,9 @@ import { opened, PICTURE_LANE, replacePicture } from "./source";
 export type Quarters = 1 | 2 | 3;
 
 const WORDS: Record<Quarters, string> = {
-  1: "turned a quarter to the right",
-  2: "turned upside down",
-  3: "turned a quarter to the left",
+  1: messages.rotatedQuarterTurnTo,
+  2: messages.turnedUpsideDown,
+  3: messages.rotatedQuarterTurnToLeft,
 };
 
 /** Where points x0, y0, x1, y1, .. of a picture of that size, y down, come to lie. */
@@ -51,8 +52,8 @@ export async function turnPicture(quarters: Quarters): Promise<void> {
     }));
     keepFor(next.id, { ...now, strokes }, part.peek());
     replacePicture(next);
-    announce(`The photograph is ${WORDS[quarters]}.`);
+    announce(messages.photoIs(WORDS[quarters]));
   } catch (problem) {
-    if (!isStopped(problem)) notify({ kind: "error", text: `It cannot be turned: ${wordsOf(problem)}` });
+    if (!isStopped(problem)) notify({ kind: "error", text: messages.notRotated(wordsOf(problem)) });
   }
 }

@@ -8,6 +8,7 @@ import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
 import type { ByteMethod, ByteRival, FitFigures, PreparedOutline, SplineMeasured } from "#workers/fit/curve";
 import { isStopped } from "#workers/lanes/latest";
+import * as messages from "../messages";
 import { plainName } from "./name";
 import { prepared } from "./outline";
 import { fail, problem, running, watched } from "./progress";
@@ -201,8 +202,7 @@ function finish(done: WithinDone): void {
     problem.value = null;
   });
   keep(done);
-  if (done.figures)
-    announce(`Fitted within ${done.bytes} bytes: ${done.figures.rms.toFixed(3)} percent off.`);
+  if (done.figures) announce(messages.fittedWithin(done.bytes, done.figures.rms.toFixed(3)));
 }
 
 /** The last fit is part of the document, in place of one by a closed curve: a link opens it again, and stays short. */

@@ -1,6 +1,7 @@
 import { signal } from "@preact/signals";
 import { Button } from "#ui/controls/Button";
 import type { HoughCluster } from "#workers/fit/hough";
+import * as messages from "../../messages";
 import { DomainFields } from "../DomainFields";
 import graphCss from "../graph.module.css";
 import { aboutOf, countWords, errorWords, mapWords, nameOf } from "../model/words";
@@ -19,7 +20,7 @@ export function CandidateList() {
     .filter(({ index }) => all.value || index < SEEN_AT_FIRST || isPicked(index) || index === chosen.value);
   return (
     <div class="stack">
-      <ul aria-label="Candidates, the most hits first">
+      <ul aria-label={messages.candidatesMostHitsFirst}>
         {shown.map(({ cluster, index }) => (
           <Row key={index} cluster={cluster} index={index} />
         ))}
@@ -31,7 +32,7 @@ export function CandidateList() {
             all.value = !all.peek();
           }}
         >
-          {all.value ? "Fewer" : `All ${list.length}`}
+          {all.value ? messages.fewer : messages.allOf(list.length)}
         </Button>
       )}
     </div>
@@ -45,7 +46,7 @@ function Row({ cluster, index }: { cluster: HoughCluster; index: number }) {
     <li class={`${graphCss["candidate"]} ${open ? graphCss["open"] : ""}`}>
       <input
         type="checkbox"
-        aria-label={`Pick ${name}`}
+        aria-label={messages.pick(name)}
         checked={isPicked(index)}
         onChange={() => togglePick(index)}
       />
@@ -86,7 +87,7 @@ function Domain({ index }: { index: number }) {
       onChange={(end, t) => {
         const domain: [number, number] = [...pick.domain];
         domain[end] = t;
-        if (domain[0] >= domain[1]) return "The part must begin before it ends.";
+        if (domain[0] >= domain[1]) return messages.partMustStartBefore;
         setDomain(index, domain);
         return undefined;
       }}

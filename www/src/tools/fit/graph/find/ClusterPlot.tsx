@@ -1,6 +1,7 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import type { HoughCluster } from "#workers/fit/hough";
+import * as messages from "../../messages";
 import graphCss from "../graph.module.css";
 import { errorWords, mapWords, nameOf } from "../model/words";
 import { choose, chosen, current, found, isPicked, live, search, togglePick } from "./search";
@@ -30,7 +31,9 @@ export function ClusterPlot({ axes }: { axes: AxesId }) {
       <div
         class={graphCss["cluster-list"]}
         role="listbox"
-        aria-label={`Clusters by ${axes === "ac" ? "their scales a and c" : "their main directions"}: arrow keys go from one to the next, Enter picks`}
+        aria-label={messages.clustersBy(
+          axes === "ac" ? messages.theirScalesAndC : messages.theirMainDirections,
+        )}
         aria-activedescendant={active}
         tabIndex={0}
         onKeyDown={onKey}
@@ -57,7 +60,13 @@ export function ClusterPlot({ axes }: { axes: AxesId }) {
                 data-kind={cluster.kind}
                 role="option"
                 aria-selected={index === selected}
-                aria-label={`${nameOf(cluster, index)}, ${cluster.hits} hits${isPicked(index) ? ", picked" : ""}: ${mapWords(cluster.map)}, ${errorWords(cluster)}`}
+                aria-label={messages.clusterIs(
+                  nameOf(cluster, index),
+                  cluster.hits,
+                  isPicked(index) ? messages.pickedAside : "",
+                  mapWords(cluster.map),
+                  errorWords(cluster),
+                )}
                 transform={`translate(${left.toFixed(1)} ${top.toFixed(1)})`}
                 onClick={() => choose(index)}
                 onDblClick={() => togglePick(index)}

@@ -5,6 +5,7 @@ import { Select } from "#ui/controls/Select";
 import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
 import { FileButton } from "#ui/files/FileButton";
+import * as messages from "../../messages";
 import graphCss from "../graph.module.css";
 import { EXAMPLES } from "../model/examples";
 import {
@@ -26,20 +27,17 @@ import { cancel, featuresChanged, find, problem, reflected, running } from "./se
 export function FindSection() {
   const now = series.value;
   return (
-    <section class="stack" aria-label="Find the maps of a series">
+    <section class="stack" aria-label={messages.findMapsSeries}>
       <div class="section-head">
-        <h2>Find the maps of a series</h2>
+        <h2>{messages.findMapsSeries}</h2>
       </div>
       {now ? (
         <p class={graphCss["graph-source"]}>
           <strong>{now.name}</strong>{" "}
-          <span class="dim number">{countWords(now.points.length / 2)} points</span>
+          <span class="dim number">{messages.points(countWords(now.points.length / 2))}</span>
         </p>
       ) : (
-        <p class="hint">
-          Drop a table of numbers here: a time series or the heights of a mountain. Frond looks for the
-          smaller copies that it is made of.
-        </p>
+        <p class="hint">{messages.dropTableNumbersHere}</p>
       )}
       <FileRow />
       {fileProblem.value !== null && (
@@ -57,20 +55,20 @@ function FileRow() {
   return (
     <div class={`row ${graphCss["graph-files"]}`}>
       <FileButton
-        label="A table of numbers"
+        label={messages.tableNumbers}
         accept=".csv,.tsv,.txt,.dat,.json,.geojson,text/csv,text/plain"
         disabled={reading.value !== null}
         onFile={(file) => void takeFile(file)}
       >
-        {reading.value === null ? "Open a table …" : "Reading …"}
+        {reading.value === null ? messages.openTable : messages.reading}
       </FileButton>
       <Select
-        aria-label="An example"
+        aria-label={messages.example}
         value={example}
         onChange={(event) => takeExample(event.currentTarget.value)}
       >
         <option value="" disabled>
-          Or an example …
+          {messages.orExample}
         </option>
         {EXAMPLES.map(({ id, name }) => (
           <option key={id} value={id}>
@@ -88,9 +86,9 @@ function Options() {
   return (
     <>
       {example && <p class="hint">{example.about}</p>}
-      <p class="row-name">Feature points, coarse and fine</p>
+      <p class="row-name">{messages.featurePointsCoarseAnd}</p>
       <Segmented<CountId>
-        label="Feature points, coarse and fine"
+        label={messages.featurePointsCoarseAnd}
         options={COUNTS.map(({ id, label, description }) => ({ value: id, label, description }))}
         value={counts.value}
         onChange={(id) => {
@@ -99,17 +97,17 @@ function Options() {
         }}
       />
       <div class={graphCss["graph-slider"]}>
-        <span class="row-name">Smoothing, against noise</span>
+        <span class="row-name">{messages.smoothingAgainstNoise}</span>
         <span class="number dim">
           {smoothing.value === 0 ? "none" : `${formatNumber(100 * smoothing.value, 2)}%`}
         </span>
         <Slider
-          label="Smoothing, against noise"
+          label={messages.smoothingAgainstNoise}
           value={smoothing.value}
           max={MOST_SMOOTHING}
           step={0.0005}
           valueText={
-            smoothing.value === 0 ? "none" : `${formatNumber(100 * smoothing.value, 2)} percent of the length`
+            smoothing.value === 0 ? "none" : messages.percentOfLength(formatNumber(100 * smoothing.value, 2))
           }
           onChange={(next) => {
             smoothing.value = Number(next.toFixed(4));
@@ -122,21 +120,19 @@ function Options() {
         onChange={(on) => {
           reflected.value = on;
         }}
-        description="Copies that run backwards are looked for, too. It takes twice as long."
+        description={messages.alsoFindsCopiesRun}
       >
-        Mirrored copies, too
+        {messages.includeMirroredCopies}
       </Switch>
       {busy === null ? (
         <Button kind="primary" onClick={() => void find()}>
-          Find the maps
+          {messages.findMaps}
         </Button>
       ) : (
         <div class={graphCss["graph-busy"]}>
-          <progress value={busy.share} max={1} aria-label="Search" />
-          <p class="number">
-            {phaseWords(busy.phase)}: {countWords(busy.votes)} votes
-          </p>
-          <Button onClick={cancel}>Stop</Button>
+          <progress value={busy.share} max={1} aria-label={messages.search} />
+          <p class="number">{messages.phaseVotes(phaseWords(busy.phase), countWords(busy.votes))}</p>
+          <Button onClick={cancel}>{messages.stop}</Button>
         </div>
       )}
       {problem.value !== null && (

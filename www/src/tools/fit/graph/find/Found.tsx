@@ -4,6 +4,7 @@ import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { SliderField } from "#ui/controls/SliderField";
 import { Switch } from "#ui/controls/Switch";
+import * as messages from "../../messages";
 import graphCss from "../graph.module.css";
 import { graph } from "../model/document";
 import { axisWords, costWords, countWords, offWords, spreadWords } from "../model/words";
@@ -37,25 +38,25 @@ export function FoundSection() {
   return (
     <section class="stack">
       <div class="section-head">
-        <h2>Clusters of votes</h2>
+        <h2>{messages.clustersVotes}</h2>
         {now && !running.value && (
           <span class="hint number" data-part="took" data-ms={Math.round(now.took)}>
-            {countWords(now.votes)} votes, {formatNumber(now.took / 1000, 1)} s
+            {messages.votesTook(countWords(now.votes), formatNumber(now.took / 1000, 1))}
           </span>
         )}
       </div>
       <Segmented<AxesId>
-        label="What the picture shows"
+        label={messages.plot}
         options={[
           {
             value: "ac",
-            label: "Scales a and c",
-            description: "How much copies shrink sideways and upwards",
+            label: messages.scalesAndC,
+            description: messages.howMuchCopiesShrink,
           },
           {
             value: "principal",
-            label: "Main directions",
-            description: "The two directions in which clusters spread most, of all five",
+            label: messages.mainDirections,
+            description: messages.twoFiveDirectionsIn,
           },
         ]}
         value={axes.value}
@@ -77,16 +78,12 @@ export function FoundSection() {
 
 function Directions() {
   const space = search.value?.clusters.space;
-  if (!space)
-    return <p class="hint">No map got more than a few votes. Try other feature points, or smoothing.</p>;
+  if (!space) return <p class="hint">{messages.noMapGotMore}</p>;
   return (
     <p class="hint">
       {spreadWords(space)}{" "}
-      {axes.value === "principal" && (
-        <>
-          Across: {axisWords(space.axes[0] ?? [])}; up: {axisWords(space.axes[1] ?? [])}.
-        </>
-      )}
+      {axes.value === "principal" &&
+        messages.plotAxes(axisWords(space.axes[0] ?? []), axisWords(space.axes[1] ?? []))}
     </p>
   );
 }
@@ -103,14 +100,14 @@ function Assembly() {
         onChange={(on) => {
           copying.value = on;
         }}
-        description="The feature points of the copied part, and where the map takes them"
+        description={messages.featurePointsCopiedPart}
       >
-        Show the chosen map on the graph
+        {messages.showSelectedMapOn}
       </Switch>
       <SliderField
-        label="Nowhere farther off than"
+        label={messages.maximumError}
         unit="%"
-        ends={["0.1% of the height", "20%"]}
+        ends={[messages.n01Height, "20%"]}
         value={100 * tolerance.value}
         min={Math.log10(100 * LEAST_TOLERANCE)}
         max={Math.log10(100 * MOST_TOLERANCE)}
@@ -118,7 +115,7 @@ function Assembly() {
         digits={2}
         scale={{ to: Math.log10, from: (at) => Number((10 ** at).toPrecision(2)) }}
         field={{ min: 100 * LEAST_TOLERANCE, max: 100 * MOST_TOLERANCE, step: 0.1 }}
-        words={`${formatNumber(100 * tolerance.value, 2)} percent of the height`}
+        words={messages.percentOfHeight(formatNumber(100 * tolerance.value, 2))}
         onChange={(next) => {
           tolerance.value = next / 100;
         }}
@@ -129,10 +126,10 @@ function Assembly() {
           disabled={assembling.value || found.value.length === 0}
           onClick={() => void assemble("itself")}
         >
-          Assemble
+          {messages.assemble}
         </Button>
         <Button disabled={assembling.value || picked === 0} onClick={() => void assemble("hand")}>
-          {picked === 0 ? "Assemble picks" : `Assemble ${picked} ${picked === 1 ? "pick" : "picks"}`}
+          {picked === 0 ? messages.assembleSelection : messages.assembleOf(picked)}
         </Button>
       </div>
       {picked > 0 && (
@@ -141,26 +138,30 @@ function Assembly() {
           onChange={(on) => {
             tied.value = on;
           }}
-          description="Off: maps stay as they are, as in the paper, and pieces may leave gaps."
+          description={messages.offMapsKeepTheir}
         >
-          Let pieces meet
+          {messages.closeGapsBetweenPieces}
         </Switch>
       )}
       {seven.length > 0 && (
         <Button
           kind="quiet"
-          description="The maps that the authors picked by hand, refined as they did, with their domains"
+          description={messages.mapsAuthorsSelectedBy}
           onClick={() => {
             picks.value = seven;
           }}
         >
-          {`Pick those of Table 3 (${seven.length} of 7 found)`}
+          {messages.pickTable3(seven.length)}
         </Button>
       )}
       {done && done.graph === graph.value && (
         <p class="hint" data-part="assembled">
-          {done.graph.kind.toUpperCase()} of {done.graph.pieces.length} pieces: {offWords(done)}.{" "}
-          {costWords(done)}
+          {messages.assembledOf(
+            done.graph.kind.toUpperCase(),
+            done.graph.pieces.length,
+            offWords(done),
+            costWords(done),
+          )}
         </p>
       )}
     </div>

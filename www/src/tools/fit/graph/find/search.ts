@@ -11,6 +11,7 @@ import type {
   HoughOptions,
 } from "#workers/fit/hough";
 import { isStopped } from "#workers/lanes/latest";
+import * as messages from "../../messages";
 import { take } from "../model/document";
 import { short } from "../model/model";
 import { type Series, series, takeFeatures } from "../model/series";
@@ -154,7 +155,7 @@ export async function find(): Promise<void> {
       copying.value = true;
     });
     const maps = clusters.found.filter(({ kind }) => kind === "map").length;
-    announce(`${clusters.found.length} clusters were found, ${maps} of them maps of their own.`);
+    announce(messages.clustersFound(clusters.found.length, maps));
   } catch (wrong) {
     if (!stop.aborted && !isStopped(wrong)) {
       batch(() => {
@@ -192,7 +193,7 @@ export function cancel(): void {
     running.value = null;
     live.value = null;
   });
-  announce("Stopped.");
+  announce(messages.stopped);
 }
 
 /** Looks at a cluster: its map is shown on the graph. */
@@ -256,7 +257,7 @@ export async function assemble(by: "hand" | "itself"): Promise<void> {
     // Now the whole is looked at.
     copying.value = false;
     const pieces = got.graph.pieces.length;
-    announce(`Put together of ${pieces} pieces, ${offWords(got)}.`);
+    announce(messages.assembledFrom(pieces, offWords(got)));
   } catch (wrong) {
     if (!isStopped(wrong)) problem.value = wordsOf(wrong);
   } finally {

@@ -4,6 +4,7 @@ import { changeFit, fitDocument } from "#document/fit";
 import { announce, notify, wordsOf } from "#document/notice";
 import type { Graph } from "#wasm/api";
 import { rough } from "#wasm/curve";
+import * as messages from "../../messages";
 import { fromGraph } from "../../plane/model/curve";
 import { toWord } from "../../plane/model/word";
 import { asKind, evaluator, type Kind, type Model, modelOf, request, short } from "./model";
@@ -68,9 +69,9 @@ export function take(next: Graph, gesture?: string): void {
 }
 
 const NAMES: Record<Kind, string> = {
-  fif: "Every piece copies the whole.",
-  rfif: "Every piece copies what lies between two points.",
-  pfif: "Every piece copies any part.",
+  fif: messages.everyPieceCopiesWhole,
+  rfif: messages.everyPieceCopiesStretch,
+  pfif: messages.everyPieceCopiesAny,
 };
 
 /** The most pieces that parts are cut into so that all of them end at points. */
@@ -84,12 +85,12 @@ export function chooseKind(kind: Kind): void {
     const same = rough.toRecurrent(graph.peek(), MOST_CUT);
     if (same) {
       take(short({ ...same, kind: "rfif" }));
-      announce(`The same function in ${same.pieces.length} pieces.`);
+      announce(messages.sameInPieces(same.pieces.length));
       return;
     }
     notify({
       kind: "info",
-      text: "Cut so that all parts begin and end at points, these pieces never come to an end: their parts were moved to the nearest points.",
+      text: messages.thesePiecesCannotCut,
     });
   }
   if (changeModel((model_) => asKind(model_, kind))) announce(NAMES[kind]);
@@ -102,11 +103,11 @@ export function asPlaneCurve(): void {
   const plane = cut && fromGraph(cut, evaluator(cut));
   if (plane) {
     changeFit((fit) => ({ ...fit, mode: "plane", plane: toWord(plane) }));
-    announce(`A curve of the plane in ${plane.pieces.length} pieces.`);
+    announce(messages.planeCurveOf(plane.pieces.length));
   } else {
     notify({
       kind: "info",
-      text: "Cut so that all parts begin and end at points, these pieces never come to an end. Let them copy a stretch first.",
+      text: messages.thesePiecesCannotCutSo,
     });
   }
 }

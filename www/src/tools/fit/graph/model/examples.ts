@@ -1,5 +1,6 @@
 /** Graphs of our own making to try the search on. */
 import type { Graph } from "#wasm/api";
+import * as messages from "../../messages";
 import { TABLE_1 } from "../printed";
 import { evaluator } from "./model";
 
@@ -91,16 +92,16 @@ function noisy(points: Float64Array<ArrayBuffer>, size: number, seed: number): F
 export const EXAMPLES: readonly Example[] = [
   {
     id: "table1",
-    name: "Two maps (Table 1)",
-    about: "The paper's test: a function of two maps, to be recovered from 129 points.",
+    name: messages.twoMapsTable1,
+    about: messages.testInPaperFunction,
     features: [65, 129],
     smoothing: 0,
     make: () => sampled(TABLE_1, [-1, 1], 2049),
   },
   {
     id: "hidden",
-    name: "Hidden variable (Fig 4)",
-    about: "A view of a curve in space, long held to be no copy of its own parts.",
+    name: messages.hiddenVariableFig4,
+    about: messages.projectionCurveInSpace,
     features: [55, 163],
     smoothing: 0,
     make: () => {
@@ -116,8 +117,8 @@ export const EXAMPLES: readonly Example[] = [
   },
   {
     id: "noisy",
-    name: "Measured, with noise",
-    about: "Three maps under noise of 1.7 percent of the height. Smoothing brings them back.",
+    name: messages.measuredWithNoise,
+    about: messages.threeMapsUnderNoise,
     features: [65, 129],
     smoothing: 0.002,
     make: () => noisy(sampled(RIDGE, [0, 1], 4097), 0.01, 7),

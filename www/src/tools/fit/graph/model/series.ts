@@ -6,6 +6,7 @@ import { fitTask } from "#workers/fit/client";
 import type { FeatureSets } from "#workers/fit/hough";
 import type { OpenedSeries } from "#workers/fit/trace-types";
 import { isStopped } from "#workers/lanes/latest";
+import * as messages from "../../messages";
 import { isFirst } from "./document";
 import { EXAMPLES, type Example } from "./examples";
 import { readSeries } from "./read";
@@ -25,9 +26,9 @@ export const unmade: ReadonlySignal<boolean> = computed(() => isFirst.value && s
 
 /** Coarse and fine feature points. Maps that halve are best seen by halves of halves, those that third by thirds. */
 export const COUNTS = [
-  { id: "halves", label: "65 and 129", features: [65, 129], description: "Halves of halves: 2^k + 1" },
-  { id: "thirds", label: "55 and 163", features: [55, 163], description: "Thirds of thirds: 2·3^k + 1" },
-  { id: "few", label: "33 and 65", features: [33, 65], description: "Few: done in an instant" },
+  { id: "halves", label: messages.n65And129, features: [65, 129], description: messages.halvesHalves2K },
+  { id: "thirds", label: messages.n55And163, features: [55, 163], description: messages.thirdsThirds23 },
+  { id: "few", label: messages.n33And65, features: [33, 65], description: messages.fewDoneInInstant },
 ] as const;
 
 export type CountId = (typeof COUNTS)[number]["id"];
@@ -80,7 +81,7 @@ export function takeSeries(
   });
   changeFit((fit) => (fit.mode === "graph" ? fit : { ...fit, mode: "graph" }));
   for (const warning of given.warnings ?? []) notify({ kind: "info", text: warning.message });
-  announce(`${given.name}: ${given.points.length / 2} points are on the stage.`);
+  announce(messages.seriesOnStage(given.name, given.points.length / 2));
   takeFeatures().catch((problem: unknown) => {
     if (!isStopped(problem)) notify({ kind: "error", text: wordsOf(problem) });
   });

@@ -27,8 +27,8 @@ it("names clusters by what they are", () => {
   });
   expect(nameOf(echo, 2)).toBe("Echo 1 2⁻¹");
   // The last letter is done first.
-  expect(aboutOf(echo)).toContain("undo map 2, then do map 1");
-  expect(errorWords(cluster({}))).toBe("holds nowhere");
+  expect(aboutOf(echo)).toContain("undo map 2, then apply map 1");
+  expect(errorWords(cluster({}))).toBe("fits nowhere");
 });
 
 it("looks first at the strongest map, never at clutter", () => {
@@ -41,9 +41,7 @@ it("looks first at the strongest map, never at clutter", () => {
 });
 
 it("says how far off a graph is in the units of its heights", () => {
-  expect(offWords({ worst: 31.26, meanSquare: 123 })).toBe(
-    "off by 31.3 at most, 11.1 in the root mean square",
-  );
+  expect(offWords({ worst: 31.26, meanSquare: 123 })).toBe("error 31.3 at most, 11.1 RMS");
 });
 
 it("says what a graph costs beside a polyline", () => {
@@ -57,9 +55,9 @@ it("says what a graph costs beside a polyline", () => {
     ],
   });
   expect(costWords({ numbers: 8, polyline: 40, graph: graph(0.4) })).toBe(
-    "It is made of 8 numbers; a polyline that is as near takes 40.",
+    "It takes 8 numbers; a polyline of the same accuracy takes 40.",
   );
-  expect(costWords({ numbers: 40, polyline: 40, graph: graph(0) })).toContain("copies do not pay");
+  expect(costWords({ numbers: 40, polyline: 40, graph: graph(0) })).toContain("copies save nothing");
   expect(costWords({ graph: graph(0.4) })).toBe("");
 });
 

@@ -3,35 +3,38 @@
 import { formatNumber } from "#format/numbers";
 import { significant } from "#format/significant";
 import type { Assembled, HoughCluster, HoughClusters } from "#workers/fit/hough";
+import * as messages from "../../messages";
 import type { Kind } from "./model";
 
 export const KINDS: readonly { value: Kind; label: string; about: string }[] = [
-  { value: "fif", label: "The whole", about: "FIF: every piece is a smaller copy of the whole graph." },
+  { value: "fif", label: messages.whole, about: messages.fifEveryPieceSmaller },
   {
     value: "rfif",
-    label: "A stretch",
-    about: "RFIF: every piece is a smaller copy of what lies between two of the points.",
+    label: messages.stretch,
+    about: messages.rfifEveryPieceSmaller,
   },
-  { value: "pfif", label: "Any part", about: "PFIF: every piece is a smaller copy of any longer part." },
+  { value: "pfif", label: messages.anyPart, about: messages.pfifEveryPieceSmaller },
 ];
 
 const LETTERS = ["a", "b", "c", "d", "e"] as const;
 
 /** What a cluster is called: numbers count from 1, by hits. */
 export function nameOf({ kind, echo }: HoughCluster, index: number): string {
-  if (kind === "clutter") return `Clutter ${index + 1}`;
-  if (kind === "map") return `Map ${index + 1}`;
-  return `Echo ${echo.map(({ cluster, inverse }) => `${cluster + 1}${inverse ? "⁻¹" : ""}`).join(" ")}`;
+  if (kind === "clutter") return messages.clutterOf(index + 1);
+  if (kind === "map") return messages.mapOf(index + 1);
+  return messages.echoOf(
+    echo.map(({ cluster, inverse }) => `${cluster + 1}${inverse ? "⁻¹" : ""}`).join(" "),
+  );
 }
 
 /** The same at length. */
 export function aboutOf({ kind, echo }: HoughCluster): string {
-  if (kind === "clutter") return "So small that almost everything is a copy of it.";
-  if (kind === "map") return "A map of its own.";
+  if (kind === "clutter") return messages.soSmallAlmostEverything;
+  if (kind === "map") return messages.mapOwn;
   const steps = [...echo].reverse().map(({ cluster, inverse }) => {
-    return inverse ? `undo map ${cluster + 1}` : `do map ${cluster + 1}`;
+    return inverse ? messages.undoMap(cluster + 1) : messages.applyMap(cluster + 1);
   });
-  return `It follows from stronger ones: ${steps.join(", then ")}.`;
+  return messages.followsFrom(steps.join(", then "));
 }
 
 export function mapWords(map: readonly number[]): string {
@@ -40,15 +43,15 @@ export function mapWords(map: readonly number[]): string {
 
 /** How near a copy comes, in percent of the height, and on how many coarse feature points. */
 export function errorWords({ candidate }: HoughCluster): string {
-  if (!candidate) return "holds nowhere";
+  if (!candidate) return messages.fitsNowhere;
   const percent = 100 * candidate.rms;
   const off = percent < 0.01 ? "< 0.01" : formatNumber(percent, 2);
-  return `${off}% off on ${candidate.points}`;
+  return messages.errorOn(off, candidate.points);
 }
 
 /** How far a graph is from what is measured, in the units of the heights. */
 export function offWords({ worst, meanSquare }: { worst: number; meanSquare: number }): string {
-  return `off by ${significant(worst)} at most, ${significant(Math.sqrt(meanSquare))} in the root mean square`;
+  return messages.errorAtMost(significant(worst), significant(Math.sqrt(meanSquare)));
 }
 
 /** What a graph within a tolerance costs, beside the polyline that is as near. */
@@ -59,9 +62,9 @@ export function costWords({
 }: Pick<Assembled, "numbers" | "polyline" | "graph">): string {
   if (numbers === undefined || polyline === undefined) return "";
   if (graph.pieces.every(({ map }) => map[2] === 0)) {
-    return `A polyline of ${numbers} numbers: copies do not pay at this tolerance.`;
+    return messages.copiesDoNotPay(numbers);
   }
-  return `It is made of ${numbers} numbers; a polyline that is as near takes ${polyline}.`;
+  return messages.costIs(numbers, polyline);
 }
 
 export function countWords(count: number): string {
@@ -86,10 +89,10 @@ export function axisWords(axis: readonly number[]): string {
 export function spreadWords(space: NonNullable<HoughClusters["space"]>): string {
   const percent = (n: number) => `${formatNumber(100 * n, 0)}%`;
   const [one, two, three] = space.shares;
-  return `${percent(one + two)} of the spread lies in these two directions, ${percent(one + two + three)} in three.`;
+  return messages.spreadIn(percent(one + two), percent(one + two + three));
 }
 
 export function phaseWords(phase: "first" | "second" | "naming"): string {
-  if (phase === "first") return "Counting a, b, c";
-  return phase === "second" ? "Counting d, e" : "Naming";
+  if (phase === "first") return messages.countingBC;
+  return phase === "second" ? messages.countingDE : messages.naming;
 }

@@ -4,6 +4,7 @@ import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import { emptied, useBox } from "../../by-hand/surface";
 import { ZoomButtons } from "../../by-hand/ZoomButtons";
+import * as messages from "../../messages";
 import graphCss from "../graph.module.css";
 import { chosenPiece, graph, problem } from "../model/document";
 import { errors } from "../model/errors";
@@ -59,7 +60,7 @@ export function GraphStage() {
       class={graphCss["graph-stage"]}
       data-points={polyline.value.length / 2}
       role="application"
-      aria-label="The graph. Left and right arrows move it, plus and minus zoom, 0 shows all of it."
+      aria-label={messages.graphLeftAndRight}
       // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
       tabIndex={0}
       onKeyDown={(event) => {
@@ -88,7 +89,7 @@ function choosePiece(left: number, top: number): void {
 
 function Foot() {
   const off = errors.value;
-  const words = off && offWords(off).replace("off", "Off");
+  const words = off && offWords(off).replace("off", messages.off);
   const wrong = problem.value;
   return (
     <div class={graphCss["graph-foot"]} data-handle="">
@@ -97,7 +98,7 @@ function Foot() {
           {wrong}
         </p>
       )}
-      {reading.value !== null && <p class="readout">Reading {reading.value} …</p>}
+      {reading.value !== null && <p class="readout">{messages.readingOf(reading.value)}</p>}
       {words && (
         <p class="readout" data-part="errors">
           {words}

@@ -3,6 +3,7 @@ import { formatNumber } from "#format/numbers";
 import { screen } from "#geometry/coordinates";
 import { useGrip } from "#stage/grip";
 import stageCss from "#stage/stage.module.css";
+import * as messages from "../../messages";
 import graphCss from "../graph.module.css";
 import { changeModel, chosenKnot, model } from "../model/document";
 import type { Knot } from "../model/model";
@@ -27,7 +28,7 @@ export function Knots({ faint }: { faint: boolean }) {
   const width = view.left + view.width + 40;
   return (
     <svg class={`overlay ${graphCss["graph-knots"]}`} width={width} height={view.top + view.height + 90}>
-      <title>Points that the graph goes through</title>
+      <title>{messages.pointsGraph}</title>
       {shown.map(({ knot, index }) => (
         <Handle
           key={index}
@@ -66,7 +67,7 @@ function Handle({
       data-handle=""
       role="button"
       tabindex={0}
-      aria-label={`Point ${index + 1} at t = ${words[0]}, x = ${words[1]}: arrow keys move it, with Shift finer`}
+      aria-label={messages.knotAt(index + 1, words[0], words[1])}
       transform={`translate(${left.toFixed(2)} ${top.toFixed(2)})`}
       ref={useKnotGrip(index)}
     >
@@ -124,7 +125,7 @@ function nudge(index: number, [across, down]: readonly [number, number], pixels:
   ];
   changeModel((now) => withKnot(now, index, to), `keys knot ${index}`);
   const moved = model.peek().knots[index];
-  if (moved) announce(`Point ${index + 1}: ${numbers(moved, view).join(", ")}`);
+  if (moved) announce(messages.pointAt(index + 1, numbers(moved, view).join(", ")));
 }
 
 const useKnotGrip = (index: number) =>

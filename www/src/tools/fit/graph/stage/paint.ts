@@ -1,5 +1,6 @@
 /** The graph and what lies under and over it, on a canvas. */
 import type { Graph } from "#wasm/api";
+import * as messages from "../../messages";
 import { rangeOf } from "../model/model";
 import { type Frame, leftOf, startIn, ticks, tickText, topOf } from "./frame";
 
@@ -61,7 +62,7 @@ export function paint(
     context.textBaseline = "bottom";
     const room = left < frame.left + frame.width - 110;
     context.textAlign = room ? "left" : "right";
-    context.fillText("farthest off here", left + (room ? 4 : -4), frame.top + frame.height - 2);
+    context.fillText(messages.largestErrorHere, left + (room ? 4 : -4), frame.top + frame.height - 2);
   }
   pieces(context, frame, scenery, paints);
   if (scenery.copy) copy(context, frame, scenery.copy, paints);

@@ -4,6 +4,7 @@ import { changeFit, fitDocument } from "#document/fit";
 import { wordsOf } from "#document/notice";
 import type { PlaneGraph } from "#wasm/api";
 import { rough } from "#wasm/curve";
+import * as messages from "../../messages";
 import { type Factor, norm, type Place, type PlaneCurve, request, withPiece } from "./curve";
 import { EXAMPLES } from "./examples";
 import { fromWord, toWord } from "./word";
@@ -25,7 +26,7 @@ const mapsOf = (of: PlaneCurve): PlaneGraph => {
 
 /** Its maps, or why there are none, which only a damaged document brings. */
 const made = computed<PlaneGraph | string>(() => {
-  if (!read.value) return "The numbers of this curve are damaged. Koch’s curve stands in its place.";
+  if (!read.value) return messages.numbersThisCurveDamaged;
   try {
     return mapsOf(curve.value);
   } catch (wrong) {

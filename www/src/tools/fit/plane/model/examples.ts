@@ -1,4 +1,6 @@
 /** Curves of the plane to begin with. */
+
+import * as messages from "../../messages";
 import { alongSide, type Factor, type Place, type PlaneCurve } from "./curve";
 
 export interface Example {
@@ -31,8 +33,8 @@ function similar(
 export const EXAMPLES: readonly Example[] = [
   {
     id: "koch",
-    name: "Koch’s curve",
-    about: "Four copies, each a third as long, turned along their sides (von Koch 1904).",
+    name: messages.kochsCurve,
+    about: messages.fourCopiesEachThird,
     make: () =>
       similar(
         [
@@ -47,9 +49,8 @@ export const EXAMPLES: readonly Example[] = [
   },
   {
     id: "arrowhead",
-    name: "Arrowhead",
-    about:
-      "Three copies, each half as long, two of them mirrored: the gasket as one curve, the side view of Figure 3.",
+    name: messages.arrowhead,
+    about: messages.threeCopiesEachHalf,
     make: () =>
       similar(
         [
@@ -63,9 +64,8 @@ export const EXAMPLES: readonly Example[] = [
   },
   {
     id: "dragon",
-    name: "Dragon",
-    about:
-      "Two copies, each 1/√2 as long, turned by 45 degrees to either side; the second runs backwards (Heighway’s dragon).",
+    name: messages.dragon,
+    about: messages.twoCopiesEach1,
     make: () =>
       similar(
         [
@@ -79,8 +79,8 @@ export const EXAMPLES: readonly Example[] = [
   },
   {
     id: "leaning",
-    name: "Together (section 2.4)",
-    about: "Copies that lean: x answers to y and y to x, and neither is a function of its own (eq 9).",
+    name: messages.togetherSection24,
+    about: messages.copiesLeanXDepends,
     make: () => ({
       points: [
         [0, 0, 0],
@@ -95,8 +95,8 @@ export const EXAMPLES: readonly Example[] = [
   },
   {
     id: "apart",
-    name: "Apart (eq 8)",
-    about: "x and y are two rough functions of one t, which know nothing of each other.",
+    name: messages.apartEq8,
+    about: messages.xAndYTwo,
     make: () => ({
       points: [
         [0, 0, 0],

@@ -7,6 +7,7 @@ import { attachPanZoom, type PanZoom, panZoomKey } from "#ui/panZoom";
 import { emptied, useBox } from "../../by-hand/surface";
 import { ZoomButtons } from "../../by-hand/ZoomButtons";
 import css from "../../graph/graph.module.css";
+import * as messages from "../../messages";
 import type { PlaneCurve } from "../model/curve";
 import { chosenPiece, curve, damage, problem } from "../model/document";
 import { Points } from "./Points";
@@ -58,7 +59,7 @@ export function PlaneStage() {
       class={css["graph-stage"]}
       data-points={drawn.value.line.length / 3}
       role="application"
-      aria-label="The curve. Arrow keys move it, plus and minus zoom, 0 shows all of it."
+      aria-label={messages.curveArrowKeysMove}
       // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
       tabIndex={0}
       onKeyDown={(event) => {
@@ -135,7 +136,7 @@ function Foot() {
     <div class={css["graph-foot"]} data-handle="">
       {wrong !== null && (
         <p class={css["graph-problem"]} role="alert">
-          {wrong} The last curve stays.
+          {messages.lastStays(wrong)}
         </p>
       )}
       {damage.value !== null && (
@@ -145,7 +146,7 @@ function Foot() {
       )}
       {!complete && (
         <p class="readout" data-part="coarse">
-          Drawn as finely as {(line.length / 3).toLocaleString("en-GB")} points can
+          {messages.drawnWith((line.length / 3).toLocaleString("en-GB"))}
         </p>
       )}
       <ZoomButtons zoom={magnified.value} zoomAbout={zoomAbout} showAll={showAll} />

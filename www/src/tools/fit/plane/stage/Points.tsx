@@ -5,6 +5,7 @@ import { useGrip } from "#stage/grip";
 import stageCss from "#stage/stage.module.css";
 import css from "../../graph/graph.module.css";
 import { rounded } from "../../graph/stage/frame";
+import * as messages from "../../messages";
 import { type Point, withoutPoint, withPlace } from "../model/curve";
 import { change, chosenPoint, curve } from "../model/document";
 import { stageBox, view } from "./shown";
@@ -22,7 +23,7 @@ export function Points() {
   const many = points.length > MOST_HANDLES;
   return (
     <svg class={`overlay ${css["graph-knots"]}`} width={width} height={height}>
-      <title>Points that the curve goes through</title>
+      <title>{messages.pointsCurve}</title>
       {points.map((point, index) =>
         many && index !== chosenPoint.value ? null : <Handle key={index} index={index} point={point} />,
       )}
@@ -42,7 +43,7 @@ function Handle({ index, point: [, x, y] }: { index: number; point: Point }) {
       data-handle=""
       role="button"
       tabindex={0}
-      aria-label={`Point ${index + 1} at x = ${words(x)}, y = ${words(y)}: arrow keys move it, with Shift finer`}
+      aria-label={messages.curvePointAt(index + 1, words(x), words(y))}
       transform={`translate(${at.x.toFixed(2)} ${at.y.toFixed(2)})`}
       ref={usePointGrip(index)}
     >
@@ -77,7 +78,7 @@ function nudge(index: number, [across, up]: readonly [number, number], pixels: n
   const moved = (from: number, way: number) => (way === 0 ? from : rounded(from + way * pixels * one, one));
   const to = [moved(point[1], across), moved(point[2], up)] as const;
   if (change((now) => withPlace(now, index, to), `keys point ${index}`)) {
-    announce(`Point ${index + 1}: ${words(to[0])}, ${words(to[1])}`);
+    announce(messages.curvePointNow(index + 1, words(to[0]), words(to[1])));
   }
 }
 
