@@ -7,7 +7,7 @@ test("keys do what their list says, and rest in a dialog and in a field", async 
     await page.keyboard.press("?");
     const list = page.getByRole("dialog", { name: "Help" });
     await expect(list).toBeVisible();
-    await expect(list).toContainText("Play, pause");
+    await expect(list).toContainText("Play or pause");
     const licences = await list.getByRole("link", { name: /Licences/ }).getAttribute("href");
     const answer = await page.request.get(new URL(licences ?? "", page.url()).href);
     expect(await answer.text()).toContain("wgpu");

@@ -78,11 +78,11 @@ test("maps are changed by hand, by numbers and by keys, and their number, too", 
     const before = (await studio.scene()).a.maps;
     const undo = page.getByRole("button", { name: "Undo", exact: true });
     await page.locator("body").press("Shift+E");
-    const table = page.getByRole("region", { name: "Its parameters", exact: true });
+    const table = page.getByRole("region", { name: "Parameters", exact: true });
     await expect(table).toContainText("All as taken");
     await page.getByRole("button", { name: /^The full shape, only turns it/ }).press("ArrowLeft");
-    await page.getByRole("spinbutton", { name: "Turned" }).fill("85");
-    await page.getByRole("spinbutton", { name: "Turned" }).press("Enter");
+    await page.getByRole("spinbutton", { name: "Angle" }).fill("85");
+    await page.getByRole("spinbutton", { name: "Angle" }).press("Enter");
     await expect(table).toContainText(
       /numbers are not as taken.*2,000 points: apart by less than .*, which is rounding/,
     );

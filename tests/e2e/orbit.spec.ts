@@ -34,16 +34,16 @@ test("a point is followed by keys, a press and numbers, and its address is writt
   await expect(words(page)).toHaveText(/^Step 102: map/);
   // Nothing moves by itself where that is not wanted.
   await expect(panel(page).getByRole("button", { name: "Play" })).toHaveCount(0);
-  await panel(page).getByRole("button", { name: "Start again" }).click();
+  await panel(page).getByRole("button", { name: "Start over" }).click();
 
   await type(page, "x", "0.5");
   await type(page, "y", "0");
   await expect(words(page)).toContainText("It is on the shape");
   await panel(page).getByRole("radio", { name: "Address" }).check();
-  await panel(page).getByRole("button", { name: "Next letter" }).click();
+  await panel(page).getByRole("button", { name: "Next digit" }).click();
   await expect(address(page)).toHaveText("1 …");
   await expect(words(page)).toContainText("Pieces 1 and 2 share the point");
-  await panel(page).getByRole("button", { name: "Next letter" }).click();
+  await panel(page).getByRole("button", { name: "Next digit" }).click();
   await expect(address(page)).toHaveText("1 2 …");
 
   const chosen = page.getByRole("button", { name: /^The chosen point/ });
@@ -57,7 +57,7 @@ test("a point is followed by keys, a press and numbers, and its address is writt
   await type(page, "x", "0.5");
   await type(page, "y", "0.29");
   await expect(words(page)).toContainText("is off the shape");
-  await panel(page).getByRole("button", { name: "Take the nearest point of the shape" }).click();
+  await panel(page).getByRole("button", { name: "Use the nearest point of the shape" }).click();
   await expect(words(page)).toContainText("lies in piece");
 
   await page.getByRole("radio", { name: "Apply maps" }).check();
@@ -99,12 +99,12 @@ test("a cell is reached in as few throws as it has letters, and its address is t
   const told = page.getByTestId("orbit-game");
   await expect(told).toHaveText("No throw yet.");
   await page.getByRole("radio", { name: "3", exact: true }).check();
-  await panel(page).getByRole("button", { name: "Show a way" }).click();
+  await panel(page).getByRole("button", { name: "Show a solution" }).click();
   await expect(told).toHaveText(
-    /^One way: (\d), then (\d), then (\d)\. Read backwards, that is the address of the cell: \3 \2 \1\./,
+    /^One solution: (\d), then (\d), then (\d)\. Read backwards, this is the address of the cell: \3 \2 \1\./,
   );
   const way = (await page.getByTestId("orbit-thrown").textContent()) ?? "";
-  await panel(page).getByRole("button", { name: "Start again" }).click();
+  await panel(page).getByRole("button", { name: "Start over" }).click();
   for (const key of way.split(" ")) await page.keyboard.press(key);
   await expect(told).toHaveText(/^Well done: reached in 3 throws/);
   await expectClean(page);
@@ -133,7 +133,7 @@ test("what cannot be followed or played is said, with what to do", async ({ stud
     await type(page, "x", "0");
     await type(page, "y", "0");
     await panel(page).getByRole("radio", { name: "Address" }).check();
-    await panel(page).getByRole("button", { name: "Next letter" }).click();
+    await panel(page).getByRole("button", { name: "Next digit" }).click();
     await expect(words(page)).toContainText("Map 1 flattens the shape, so it has no inverse");
   });
   await test.step("of many maps one is named by its number", async () => {
@@ -169,7 +169,7 @@ test("the link of the lesson has its target, which is reached by keys and by a p
   await page.keyboard.press("Backspace");
   await page.keyboard.press("1");
   await expect(told).toHaveText(
-    "Well done: reached in 2 throws, and fewer do not get there. The cell has the address 1 3. Compare it with your throws.",
+    "Well done: reached in 2 throws, the fewest possible. The cell has the address 1 3. Compare it with your throws.",
   );
   // What is copied holds the target, hidden, and none of the throws.
   await page.getByRole("button", { name: "Copy a link", exact: true }).click();
@@ -179,17 +179,17 @@ test("the link of the lesson has its target, which is reached by keys and by a p
   await page.goto("about:blank");
   await page.goto(copied);
   await expect(told).toHaveText("No throw yet.");
-  await picture.getByRole("button", { name: "Show a way" }).click();
-  await expect(told).toHaveText("One way: 3, then 1. Read backwards, that is the address of the cell: 1 3.");
-  await picture.getByRole("button", { name: "Start again" }).click();
+  await picture.getByRole("button", { name: "Show a solution" }).click();
+  await expect(told).toHaveText("One way: 3, then 1. Read backwards, this is the address of the cell: 1 3.");
+  await picture.getByRole("button", { name: "Start over" }).click();
   const box = await picture.getByRole("img").boundingBox();
   if (!box) throw new Error("no picture");
   await page.mouse.click(box.x + 0.7 * box.width, box.y + 0.85 * box.height);
   await expect(picture.getByTestId("orbit-thrown")).toHaveText("2");
   await picture.getByRole("radio", { name: "5" }).check();
   await expect(told).toHaveText("No throw yet.");
-  await picture.getByRole("button", { name: "Show a way" }).click();
-  await expect(told).toHaveText(/^One way: (?:\d, then ){4}\d\./);
+  await picture.getByRole("button", { name: "Show a solution" }).click();
+  await expect(told).toHaveText(/^One solution: (?:\d, then ){4}\d\./);
 });
 
 test("the boards of the lesson are played by keys alone, and the focus stays where they are heard", async ({
@@ -217,7 +217,7 @@ test("the boards of the lesson are played by keys alone, and the focus stays whe
     await expect(picture.getByRole("img")).toHaveAccessibleName(/a triangle 1 wide, .* \(0\.625, 0\.505\)/);
   });
   await test.step("what rests once nothing is thrown hands its focus on", async () => {
-    const again = picture.getByRole("button", { name: "Start again" });
+    const again = picture.getByRole("button", { name: "Start over" });
     await again.focus();
     await page.keyboard.press("Enter");
     await expect(again).toBeDisabled();

@@ -89,7 +89,7 @@ test("it is looked at from all round, turned by hand, and undo brings every bit 
   });
   await test.step("a hand turns it by its parameters", async () => {
     const made = [await packed(studio), first.hash];
-    const table = page.getByRole("region", { name: "Its parameters", exact: true });
+    const table = page.getByRole("region", { name: "Parameters", exact: true });
     await expect(table).toContainText("All as made");
     await page.getByRole("radio", { name: "Turn", exact: true }).first().check({ force: true });
     const box = await stage(page).boundingBox();

@@ -3,6 +3,7 @@ import { signal } from "@preact/signals";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { askForFile } from "./files/door";
 import { type Focus, focusOf, type KeyPress, latinKey } from "./focus";
+import * as messages from "./messages";
 
 export interface Command {
   id: string;
@@ -27,8 +28,8 @@ export const help = signal(false);
 export const everywhere = (back: Partial<Command> = {}, forth: Partial<Command> = {}): Command[] => [
   {
     id: "undo",
-    label: "Undo",
-    group: "Everywhere",
+    label: messages.undo,
+    group: messages.everywhere,
     keys: ["Z", "Ctrl+Z"],
     enabled: () => canUndo.value,
     run: undo,
@@ -36,18 +37,24 @@ export const everywhere = (back: Partial<Command> = {}, forth: Partial<Command> 
   },
   {
     id: "redo",
-    label: "Redo",
-    group: "Everywhere",
+    label: messages.redo,
+    group: messages.everywhere,
     keys: ["Shift+Z", "Ctrl+Y", "Ctrl+Shift+Z"],
     enabled: () => canRedo.value,
     run: redo,
     ...forth,
   },
-  { id: "open", label: "Open a file", group: "Everywhere", keys: ["Ctrl+O"], run: () => askForFile() },
+  {
+    id: "open",
+    label: messages.openFile,
+    group: messages.everywhere,
+    keys: ["Ctrl+O"],
+    run: () => askForFile(),
+  },
   {
     id: "help",
-    label: "This list",
-    group: "Everywhere",
+    label: messages.keyboardShortcuts,
+    group: messages.everywhere,
     keys: ["?"],
     run: () => {
       help.value = true;
@@ -66,7 +73,7 @@ const NAMES: Record<string, string> = {
   ArrowRight: "→",
   ArrowUp: "↑",
   ArrowDown: "↓",
-  " ": "Space",
+  " ": messages.space,
   "-": "−",
 };
 

@@ -2,6 +2,7 @@ import { signal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
 import { loadAgain, notify, wordsOf } from "#document/notice";
+import * as messages from "./messages";
 
 /** A component that is loaded when it is first shown: nothing until then. */
 export function lazily<P extends object>(load: () => Promise<ComponentType<P>>): ComponentType<P> {
@@ -16,7 +17,7 @@ export function lazily<P extends object>(load: () => Promise<ComponentType<P>>):
         (problem) =>
           notify({
             kind: "error",
-            text: `A part of the page could not be loaded. ${wordsOf(problem)}`,
+            text: messages.partNotLoaded(wordsOf(problem)),
             action: loadAgain,
           }),
       );

@@ -610,3 +610,25 @@ export const clusterIs = (name: string, hits: number, picked: string, map: strin
 export const pickedAside = ", selected";
 export const hitsOf = (count: number, most: string | number, least: number) =>
   `Hits of the ${count} largest clusters, from ${most} down to ${least}. The list of candidates has them in words.`;
+
+export const numbersName = "Numbers";
+export const knotsName = "Knots";
+export const copiedEdges = "Copied edges";
+export const bytesInLink = "Bytes in a link";
+export const mapsName = "Maps";
+export const featurePointsName = "Feature points";
+export const widestGapName = "Widest gap";
+export const allBytes = "Total bytes";
+export const charactersInLink = "Characters in a link";
+export const corners = "Corners";
+export const together = "together";
+export const apart = "apart";
+export const anywhere = "anywhere";
+export const brushKeys = (about: string) =>
+  `${about} With the keyboard: focus the picture, move with the arrow keys, paint with the space bar, and cancel with Escape.`;
+export const pinnedAside = " · pinned";
+export const none = "none";
+export const to = "to";
+export const reads =
+  "PNG, JPEG, WebP, SVG, CSV, TPS, GeoJSON, TopoJSON, or JSON from COCO, LabelMe, VIA or QuPath";
+export const dragMode = "Drag mode";

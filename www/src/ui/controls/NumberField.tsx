@@ -3,6 +3,7 @@ import { useState } from "preact/hooks";
 import type { Parsed } from "#format/formula";
 import { addStep, formatNumber, keyStep, plainNumber, rangeProblem } from "#format/numbers";
 import { useOwnId } from "../id";
+import * as messages from "../messages";
 import { keepTyped, typedAs } from "./typed";
 
 /** Fetched when a field is first entered: on most visits nobody types a formula. */
@@ -50,7 +51,7 @@ export function NumberField(props: NumberFieldProps) {
   const [problem, setProblem] = useState<string | null>(null);
   const name = `${label} ${symbol ?? ""}`;
   const shown = typedAs(name, value) ?? formatNumber(value, digits);
-  const kept = `Kept: ${formatNumber(value, digits)}.`;
+  const kept = messages.stays(formatNumber(value, digits));
   const tell = (words: string | null) => {
     setProblem(words);
     props.problems?.tell(words === null ? null : `${label}: ${words} ${kept}`);

@@ -3,6 +3,7 @@
  * stand where the browser has laid them out, and what only a hand could use is left out.
  */
 import { escaped, rounded, svgFile, tag } from "../files/svg";
+import * as messages from "../messages";
 import { wordsLook } from "./attributes";
 import { type Box, boxOf, radiusOf } from "./boxes";
 import { drawingOf, styleOf } from "./shapes";
@@ -42,7 +43,7 @@ export function drawingOfPage({ parts, title, about, ground, without }: Asked): 
     const walk = new Walk();
     for (const part of parts) walk.within(part);
     const { box } = walk;
-    if (!Number.isFinite(box.x0)) throw new Error("There is nothing to be seen here yet. Wait a moment.");
+    if (!Number.isFinite(box.x0)) throw new Error(messages.thereNothingToDraw);
     const [x, y] = [box.x0 - MARGIN, box.y0 - MARGIN];
     const [width, height] = [box.x1 - x + MARGIN, box.y1 - y + MARGIN];
     const behind = ground === null ? [] : [tag("rect", { x, y, width, height, fill: ground })];
@@ -50,7 +51,7 @@ export function drawingOfPage({ parts, title, about, ground, without }: Asked): 
       {
         box: [x, y, width, height],
         title,
-        about: `${about} Made by Frond.`.trim(),
+        about: messages.madeBy(about).trim(),
         style: { "xmlns:xlink": "http://www.w3.org/1999/xlink" },
       },
       ...behind,

@@ -4,6 +4,7 @@ import type { ExportFormat } from "#wasm/api";
 import { type Exchange, loadExchange } from "#wasm/exchange";
 import { Button } from "../controls/Button";
 import { Segmented } from "../controls/Segmented";
+import * as messages from "../messages";
 import { Dialog } from "../overlay/Dialog";
 import { ChoiceRow } from "../panel/ChoiceRow";
 import { Problem } from "../panel/Problem";
@@ -28,16 +29,12 @@ export function ExportDialog({ maps, onClose }: { maps: () => readonly NamedMaps
     );
   }, []);
   return (
-    <Dialog
-      title="Maps as text"
-      about="For papers and other programs. Exact numbers stay exact."
-      onClose={onClose}
-    >
+    <Dialog title={messages.mapsAsText} about={messages.forPapersAndOther} onClose={onClose}>
       {exchange ? (
         <Texts exchange={exchange} systems={systems} onClose={onClose} />
       ) : (
         <p class="hint" role="status">
-          {problem === null ? "Loading …" : ""}
+          {problem === null ? messages.loading : ""}
         </p>
       )}
       <Problem words={problem} />
@@ -65,18 +62,18 @@ function Texts({ exchange, systems, onClose }: TextsProps) {
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(written.text);
-      notify({ kind: "info", text: `${system.name} is copied as ${format.label}.` });
+      notify({ kind: "info", text: messages.isCopied(system.name, format.label) });
       onClose();
     } catch {
       preview.current?.select();
-      notify({ kind: "error", text: "Copying was not allowed here. Save it instead." });
+      notify({ kind: "error", text: messages.browserBlockedCopyingSave });
     }
   };
   return (
     <div class="stack">
       {systems.length > 1 && (
         <ChoiceRow
-          label="Which maps"
+          label={messages.maps}
           value={String(at)}
           options={systems.map(({ label, name }, i) => ({ value: String(i), label, description: name }))}
           onChange={(next) => setAt(Number(next))}
@@ -84,7 +81,7 @@ function Texts({ exchange, systems, onClose }: TextsProps) {
       )}
       <div class={css["formats"]}>
         <Segmented<ExportFormat>
-          label="Form"
+          label={messages.format}
           value={format.id}
           options={formats.map(({ id, label, about }) => ({ value: id, label, description: about }))}
           onChange={(next) => {
@@ -102,7 +99,7 @@ function Texts({ exchange, systems, onClose }: TextsProps) {
         class={css["preview"]}
         readOnly
         spellcheck={false}
-        aria-label={`${system.name} as ${format.label}`}
+        aria-label={messages.nameAs(system.name, format.label)}
         value={beginning(written.text)}
       />
       <Problem words={written.problem} />
@@ -116,10 +113,10 @@ function Texts({ exchange, systems, onClose }: TextsProps) {
             onClose();
           }}
         >
-          Save .{format.extension}
+          {messages.saveAs(format.extension)}
         </Button>
         <Button kind="primary" icon="copy" disabled={written.problem !== null} onClick={() => void copy()}>
-          Copy
+          {messages.copy}
         </Button>
       </div>
     </div>
@@ -128,7 +125,7 @@ function Texts({ exchange, systems, onClose }: TextsProps) {
 
 function write(exchange: Exchange, system: NamedMaps | undefined, format: ExportFormat | undefined) {
   try {
-    if (!system || !format) throw new Error("There are no maps here.");
+    if (!system || !format) throw new Error(messages.thereNoMapsHere);
     const { name, maps, weights, palette } = system;
     const colours = palette ? maps.map((_, i) => palette[i % palette.length] ?? "") : [];
     const probabilities = weights ? [...weights] : [];
@@ -146,5 +143,5 @@ function beginning(text: string): string {
   const lines = text.split("\n");
   if (lines.length <= MOST_LINES) return text;
   const more = lines.length - MOST_LINES;
-  return `${lines.slice(0, MOST_LINES).join("\n")}\n… and ${more.toLocaleString("en-GB")} lines more`;
+  return messages.moreLines(lines.slice(0, MOST_LINES).join("\n"), more.toLocaleString("en-GB"));
 }

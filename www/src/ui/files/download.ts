@@ -1,4 +1,6 @@
 /** Gives somebody a file. */
+import * as messages from "../messages";
+
 export function download(blob: Blob, name: string): void {
   const url = URL.createObjectURL(blob);
   downloadFrom(url, name);
@@ -29,7 +31,7 @@ export function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
   return new Promise((resolve, reject) => {
     canvas.toBlob((blob) => {
       if (blob) resolve(blob);
-      else reject(new Error("the browser could not encode it."));
+      else reject(new Error(messages.browserCouldNotEncode));
     }, "image/png");
   });
 }

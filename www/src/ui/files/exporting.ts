@@ -2,6 +2,7 @@
 import { signal } from "@preact/signals";
 import type { MapRow, MapRow3 } from "#wasm/api";
 import type { Command } from "../commands";
+import * as messages from "../messages";
 
 /** Maps that can be written. */
 export interface NamedMaps {
@@ -26,8 +27,8 @@ export function startExport(): void {
 export function exportCommand(enabled: () => boolean = () => true): Command {
   return {
     id: "export",
-    label: "Maps as text",
-    group: "Everywhere",
+    label: messages.mapsAsText,
+    group: messages.everywhere,
     keys: ["T"],
     enabled,
     run: startExport,

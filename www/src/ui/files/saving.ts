@@ -1,9 +1,10 @@
 import { dismiss, notify, wordsOf } from "#document/notice";
+import * as messages from "../messages";
 
 /** What a picture is drawn for, as a notice says it, and the beginning of what is said where that fails. */
 const PURPOSES = {
-  save: "The picture could not be saved",
-  print: "The picture could not be printed",
+  save: messages.pictureCouldNotSaved,
+  print: messages.pictureCouldNotPrinted,
 } as const;
 
 /** Has a picture drawn: says so while it takes, lets it be called off, and tells what went wrong. */
@@ -14,8 +15,8 @@ export async function whileDrawn(
   const calledOff = new AbortController();
   const notice = notify({
     kind: "info",
-    text: `Drawing the picture to ${purpose} …`,
-    action: { label: "Cancel", run: () => calledOff.abort() },
+    text: messages.drawingTo(purpose),
+    action: { label: messages.cancel, run: () => calledOff.abort() },
     stays: true,
   });
   try {

@@ -5,6 +5,7 @@ import type { Row } from "#geometry/maps/row";
 import { Button } from "../controls/Button";
 import { Segmented } from "../controls/Segmented";
 import { SliderField } from "../controls/SliderField";
+import * as messages from "../messages";
 import { ChoiceRow } from "../panel/ChoiceRow";
 import type { Hand } from "./hold";
 
@@ -14,11 +15,11 @@ const ANY = {};
 const FINE = { to: (x: number) => x, from: (x: number) => Number(x.toPrecision(5)) };
 
 const KINDS = [
-  { value: "turn", label: "Turn" },
-  { value: "move", label: "Move" },
-  { value: "scale", label: "Scale" },
-  { value: "shear", label: "Shear" },
-  { value: "matrix", label: "Any" },
+  { value: "turn", label: messages.rotate },
+  { value: "move", label: messages.move },
+  { value: "scale", label: messages.scale },
+  { value: "shear", label: messages.shear },
+  { value: "matrix", label: messages.any },
 ] as const;
 
 interface HandPanelProps<Map extends Row> {
@@ -31,32 +32,33 @@ interface HandPanelProps<Map extends Row> {
 
 /** A shape by numbers: every change is one of its parameters (Darwish & Abd-El-Wahab, eq 1). */
 export function HandPanel<Map extends Row>({ of, as, matrix }: HandPanelProps<Map>) {
+  const was = as === "made" ? messages.asMade : messages.asBefore;
   const { kind, moved, identity, letGo, place } = of;
   const now = kind.value;
   return (
-    <section class="stack" aria-label="Move its parameters">
+    <section class="stack" aria-label={messages.transform}>
       <div class="section-head">
-        <h2>Move its parameters</h2>
+        <h2>{messages.transform}</h2>
         <Button
           kind="quiet"
           icon="reset"
           disabled={nearlySame(moved.value, identity)}
-          description={`Back to where it was ${as}`}
+          description={messages.backTo(was)}
           onClick={() => {
             letGo();
             try {
               place(null);
-              announce(`It is as it was ${as}.`);
+              announce(messages.backToDone(was));
             } catch (problem) {
               notify({ kind: "error", text: wordsOf(problem) });
             }
           }}
         >
-          As {as}
+          {messages.reset}
         </Button>
       </div>
       <Segmented
-        label="What is done to it"
+        label={messages.transformation}
         value={now}
         options={KINDS}
         onChange={(next) => {
@@ -82,7 +84,7 @@ function Sliders<Map extends Row>({ of, kind: what }: { of: Hand<Map>; kind: Kin
           <SliderField
             field={ANY}
             key={axis}
-            label={axes.length === 2 ? "Turned" : `About ${axis}`}
+            label={axes.length === 2 ? messages.angle : messages.aboutAxis(axis)}
             value={n(axis)}
             min={-180}
             max={180}
@@ -98,7 +100,7 @@ function Sliders<Map extends Row>({ of, kind: what }: { of: Hand<Map>; kind: Kin
             field={ANY}
             scale={FINE}
             key={axis}
-            label={`Along ${axis}`}
+            label={messages.alongAxis(axis)}
             value={n(axis)}
             min={-reach.value}
             max={reach.value}
@@ -112,7 +114,7 @@ function Sliders<Map extends Row>({ of, kind: what }: { of: Hand<Map>; kind: Kin
           <SliderField
             field={{ step: 0.1 }}
             key={axis}
-            label={axis === "all" ? "All of it" : `Along ${axis}`}
+            label={axis === "all" ? messages.allAxes : messages.alongAxis(axis)}
             value={n(axis)}
             min={-4}
             max={4}
@@ -127,7 +129,7 @@ function Sliders<Map extends Row>({ of, kind: what }: { of: Hand<Map>; kind: Kin
           <SliderField
             field={ANY}
             key={pair}
-            label={`${pair[0]} slides with ${pair[1]}`}
+            label={messages.slidesWith(pair.charAt(0), pair.charAt(1))}
             value={n(pair)}
             min={-2}
             max={2}
@@ -137,12 +139,12 @@ function Sliders<Map extends Row>({ of, kind: what }: { of: Hand<Map>; kind: Kin
         ))}
       {what !== "move" && (
         <ChoiceRow
-          label="What stays"
-          name="What stays in its place"
+          label={messages.pivot}
+          name={messages.fixedPoint}
           value={about.value}
           options={[
-            { value: "middle", label: "its middle" },
-            { value: "origin", label: "the origin" },
+            { value: "middle", label: messages.centre },
+            { value: "origin", label: messages.origin },
           ]}
           onChange={(next) => {
             letGo();

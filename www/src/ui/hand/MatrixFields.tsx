@@ -5,6 +5,7 @@ import { formatNumber } from "#format/numbers";
 import { nearlySame } from "#geometry/maps/hand";
 import type { Row } from "#geometry/maps/row";
 import { Button } from "../controls/Button";
+import * as messages from "../messages";
 import { Problem } from "../panel/Problem";
 import css from "./hand.module.css";
 
@@ -32,7 +33,7 @@ export function MatrixFields<Map extends Row>(props: MatrixFieldsProps<Map>) {
   const times = determinant(shown);
   return (
     <div class="stack">
-      <p class="hint">All that was done to it: x′ = A x + b.</p>
+      <p class="hint">{messages.wholeTransformationXX}</p>
       {fields(shown, (next) => {
         setDraft({ from: now, to: next });
         setProblem(null);
@@ -41,8 +42,12 @@ export function MatrixFields<Map extends Row>(props: MatrixFieldsProps<Map>) {
       <div class="row">
         <span class="row-name">
           {times === 0
-            ? "Flat: it cannot be undone."
-            : `${sizes} times ${formatNumber(Math.abs(times), 3)}${times < 0 ? ", mirrored" : ""}`}
+            ? messages.matrixFlatSoCannot
+            : messages.sizesTimes(
+                sizes,
+                formatNumber(Math.abs(times), 3),
+                times < 0 ? messages.mirroredToo : "",
+              )}
         </span>
         <span class={css["buttons"]}>
           <Button
@@ -53,7 +58,7 @@ export function MatrixFields<Map extends Row>(props: MatrixFieldsProps<Map>) {
               setProblem(null);
             }}
           >
-            Discard
+            {messages.discard}
           </Button>
           <Button
             kind="primary"
@@ -63,13 +68,13 @@ export function MatrixFields<Map extends Row>(props: MatrixFieldsProps<Map>) {
                 place(shown);
                 setDraft(null);
                 setProblem(null);
-                announce(`The ${name} has been moved there.`);
+                announce(messages.movedThere(name));
               } catch (thrown) {
-                setProblem(`${wordsOf(thrown)} The ${name} stays where it is.`);
+                setProblem(messages.staysThere(wordsOf(thrown), name));
               }
             }}
           >
-            Apply
+            {messages.apply}
           </Button>
         </span>
       </div>

@@ -3,6 +3,7 @@ import { apartBy, apartWords } from "#geometry/maps/apart";
 import { axesOf, type Row } from "#geometry/maps/row";
 import { Button } from "../controls/Button";
 import { Segmented } from "../controls/Segmented";
+import * as messages from "../messages";
 import { MapBlocks } from "../shapes/MapBlocks";
 
 /** So many maps are shown at first. */
@@ -21,6 +22,7 @@ interface ParameterTableProps<Map extends Row> {
 
 /** The parameters of a shape now, and what in them is not as it was. */
 export function ParameterTable<Map extends Row>({ made, now: present, moved, as }: ParameterTableProps<Map>) {
+  const was = as === "made" ? messages.asMade : messages.asBefore;
   const [side, setSide] = useState<"now" | "before">("now");
   const [all, setAll] = useState(false);
   const changed = (map: number, place: number) =>
@@ -34,40 +36,42 @@ export function ParameterTable<Map extends Row>({ made, now: present, moved, as 
   const maps = now ? present : made;
   const axes = axesOf(moved);
   return (
-    <section class="stack" aria-label="Its parameters">
+    <section class="stack" aria-label={messages.parameters}>
       <div class="section-head">
-        <h2>Its parameters</h2>
+        <h2>{messages.parameters}</h2>
         <Segmented
-          label="Which parameters"
+          label={messages.showParameters}
           value={side}
           options={[
-            { value: "now", label: "Now" },
-            { value: "before", label: `As ${as}` },
+            { value: "now", label: messages.now },
+            { value: "before", label: as === "made" ? messages.asMadeLabel : messages.asBeforeLabel },
           ]}
           onChange={setSide}
         />
       </div>
       <p class="hint">
         {count === 0
-          ? `All as ${as}: nothing was done to it.`
-          : `${count} of ${axes * (axes + 1) * maps.length} numbers are not as ${as}${now ? " (underlined)" : ""}.`}
+          ? messages.allAs(was)
+          : (now ? messages.numbersUnderlined : messages.numbersChanged)(
+              count,
+              axes * (axes + 1) * maps.length,
+              was,
+            )}
       </p>
       <MapBlocks
-        label={now ? "Parameters now" : `Parameters as ${as}`}
+        label={now ? messages.parametersNow : messages.parametersAs(was)}
         maps={all ? maps : maps.slice(0, MAPS_AT_FIRST)}
-        mark={`not as ${as}`}
+        mark={messages.notAs(was)}
         marked={now ? changed : () => false}
       />
       {maps.length > MAPS_AT_FIRST && (
         <Button kind="quiet" onClick={() => setAll(!all)}>
-          {all ? `Show ${MAPS_AT_FIRST} only` : `Show all ${maps.length}`}
+          {all ? messages.showOnly(MAPS_AT_FIRST) : messages.showAll(maps.length)}
         </Button>
       )}
       {count > 0 && (
         <p class="notes">
-          <span>
-            Drawing with these numbers, or drawing as {as} and moving every point, is the same picture.
-          </span>
+          <span>{messages.samePicture(was)}</span>
           <span class="number">{apartWords(apart)}</span>
         </p>
       )}

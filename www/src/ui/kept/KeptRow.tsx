@@ -1,4 +1,5 @@
 import type { ComponentChildren } from "preact";
+import * as messages from "../messages";
 import { NameInput } from "../shapes/NameInput";
 import css from "./kept-row.module.css";
 
@@ -23,14 +24,14 @@ interface KeptRowProps {
 /** Something that is kept in this browser: its picture, which opens it, its name, and what can be done with it. */
 export function KeptRow(props: KeptRowProps) {
   const { name, picture, about, onOpen, naming, longest, onName, onNamed, small = false, children } = props;
-  const called = name || "Without a name";
+  const called = name || messages.untitled;
   return (
     <li class={`${css["row"]} ${small ? css["small"] : ""}`}>
       <button
         type="button"
         class={css["open"]}
         disabled={onOpen === undefined}
-        aria-label={`Open ${called}`}
+        aria-label={messages.openNamed(called)}
         onClick={onOpen}
       >
         {picture}
@@ -38,7 +39,7 @@ export function KeptRow(props: KeptRowProps) {
       <div class={css["words"]}>
         {naming ? (
           <NameInput
-            label={`Name of ${called}`}
+            label={messages.nameOf(called)}
             name={name}
             longest={longest}
             focused

@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { Button } from "../controls/Button";
 import { NumberField } from "../controls/NumberField";
+import * as messages from "../messages";
 import css from "./orbit.module.css";
 
 interface MapButtonsProps {
@@ -22,7 +23,7 @@ export function MapButtons({ verb, count, colours, disabled = false, onMap }: Ma
     return (
       <div class={css["orbit-row"]}>
         <NumberField
-          label="Map"
+          label={messages.map}
           value={Math.min(named, count)}
           whole
           min={1}
@@ -43,7 +44,7 @@ export function MapButtons({ verb, count, colours, disabled = false, onMap }: Ma
           type="button"
           class={`button ${css["orbit-button"]}`}
           aria-label={`${verb} ${letter + 1}`}
-          title={`${verb} ${letter + 1} (key ${letter + 1})`}
+          title={messages.verbMap(verb, letter + 1, letter + 1)}
           // Not `disabled`: that would take the focus from whoever has pressed it, and the keys with it.
           aria-disabled={disabled}
           style={{ "--map-colour": colours[letter % Math.max(1, colours.length)] }}

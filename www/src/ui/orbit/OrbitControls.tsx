@@ -3,6 +3,7 @@ import { reducedMotion } from "#document/preferences";
 import { type Point, thrown } from "#geometry/maps/orbit";
 import { Button } from "../controls/Button";
 import { NumberField } from "../controls/NumberField";
+import * as messages from "../messages";
 import {
   applied,
   back,
@@ -72,7 +73,7 @@ export function OrbitControls(props: OrbitControlsProps) {
     <div class={css["orbit-controls"]}>
       {!reading && (
         <MapButtons
-          verb="Apply map"
+          verb={messages.applyMap}
           count={maps}
           colours={colours}
           disabled={full}
@@ -80,44 +81,42 @@ export function OrbitControls(props: OrbitControlsProps) {
         />
       )}
       <p class={css["orbit-address"]}>
-        <span>Address</span>
+        <span>{messages.address}</span>
         <strong data-testid="orbit-address">
-          {followed.address.length === 0 ? "not known yet" : addressText(followed.address, !full || !reading)}
+          {followed.address.length === 0
+            ? messages.notKnownYet
+            : addressText(followed.address, !full || !reading)}
         </strong>
       </p>
       <div class={css["orbit-row"]}>
         {reading ? (
           <Button disabled={full} onClick={() => onOrbit(readOn(orbit))}>
-            Next letter
+            {messages.nextLetter}
           </Button>
         ) : (
           <>
             <Button
               disabled={full}
-              description={
-                weights
-                  ? "A map at random, by the weights of the shape"
-                  : "A map at random, each as likely as the others"
-              }
+              description={weights ? messages.randomMapByWeights : messages.randomMapEachEqually}
               onClick={() => onOrbit(throwOne(orbit))}
             >
-              Throw
+              {messages.throwLabel}
             </Button>
-            <Button disabled={full} description={`At most ${MOST_STEPS} steps`} onClick={many}>
-              {MANY} throws
+            <Button disabled={full} description={messages.atMostSteps(MOST_STEPS)} onClick={many}>
+              {messages.throws(MANY)}
             </Button>
           </>
         )}
         {!still && (
           <Button icon={plays ? "pause" : "play"} disabled={full} onClick={() => setPlaying(!plays)}>
-            {plays ? "Pause" : "Play"}
+            {plays ? messages.pause : messages.play}
           </Button>
         )}
         <Button icon="back" disabled={stepsOf(orbit) === 0} onClick={() => onOrbit(back(orbit))}>
-          Back
+          {messages.back}
         </Button>
         <Button icon="reset" disabled={stepsOf(orbit) === 0} onClick={() => onOrbit(startAgain(orbit))}>
-          Start again
+          {messages.startOver}
         </Button>
       </div>
       <p class={css["orbit-words"]} data-testid="orbit-words">
@@ -125,12 +124,22 @@ export function OrbitControls(props: OrbitControlsProps) {
       </p>
       {orbit.way === "off" && orbit.nearest && (
         <div class={css["orbit-row"]}>
-          <Button onClick={onNearest}>Take the nearest point of the shape</Button>
+          <Button onClick={onNearest}>{messages.useNearestPointShape}</Button>
         </div>
       )}
       <div class={css["orbit-fields"]}>
-        <NumberField label="Chosen point" symbol="x" value={x} onChange={(next) => onPoint([next, y])} />
-        <NumberField label="Chosen point" symbol="y" value={y} onChange={(next) => onPoint([x, next])} />
+        <NumberField
+          label={messages.selectedPoint}
+          symbol="x"
+          value={x}
+          onChange={(next) => onPoint([next, y])}
+        />
+        <NumberField
+          label={messages.selectedPoint}
+          symbol="y"
+          value={y}
+          onChange={(next) => onPoint([x, next])}
+        />
       </div>
       <Spoken words={orbitSpoken(orbit, followed, words)} playing={plays} />
     </div>

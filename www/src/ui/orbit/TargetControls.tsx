@@ -1,5 +1,6 @@
 import { Button } from "../controls/Button";
 import { Segmented } from "../controls/Segmented";
+import * as messages from "../messages";
 import { useFocusKept } from "./focus";
 import { MapButtons } from "./MapButtons";
 import css from "./orbit.module.css";
@@ -30,32 +31,32 @@ export function TargetControls(props: TargetControlsProps) {
   const controls = useFocusKept(letters.length === 0);
   return (
     <div class={css["orbit-controls"]} ref={controls}>
-      <MapButtons verb="Throw map" count={maps} colours={colours} disabled={done} onMap={onThrow} />
+      <MapButtons verb={messages.throwMap} count={maps} colours={colours} disabled={done} onMap={onThrow} />
       <p class={css["orbit-address"]}>
-        <span>Thrown</span>
+        <span>{messages.thrown}</span>
         <strong data-testid="orbit-thrown">
-          {letters.length === 0 ? "nothing yet" : letters.map((letter) => letter + 1).join(" ")}
+          {letters.length === 0 ? messages.nothingYet : letters.map((letter) => letter + 1).join(" ")}
         </strong>
       </p>
       <div class={css["orbit-row"]}>
         <Button icon="back" disabled={letters.length === 0} onClick={onBack}>
-          Back
+          {messages.back}
         </Button>
         <Button icon="reset" disabled={letters.length === 0} onClick={onAgain}>
-          Start again
+          {messages.startOver}
         </Button>
-        <Button onClick={() => onNew(game.target.length)}>New target</Button>
-        <Button onClick={onShow}>Show a way</Button>
+        <Button onClick={() => onNew(game.target.length)}>{messages.newTarget}</Button>
+        <Button onClick={onShow}>{messages.showSolution}</Button>
       </div>
       <p class={`${css["orbit-words"]} ${game.reached ? css["orbit-reached"] : ""}`} data-testid="orbit-game">
         {words}
       </p>
       <div class={css["orbit-row"]}>
         <span class={css["orbit-name"]} aria-hidden="true">
-          Letters of the cell
+          {messages.lettersCell}
         </span>
         <Segmented
-          label="Letters of the cell"
+          label={messages.lettersCell}
           value={length}
           options={Array.from({ length: deepest }, (_, i) => ({ value: `${i + 1}`, label: `${i + 1}` }))}
           onChange={(next) => onNew(Number(next))}

@@ -48,7 +48,7 @@ describe("a point that is followed", () => {
     // And it is back where it began.
     const [x, y] = points.at(-1) as Point;
     expect(Math.hypot(x - 1 / 3, y)).toBeLessThan(1e-9);
-    expect(words(reading)).toContain("Letter 5 is 1: the point lies in piece 1.");
+    expect(words(reading)).toContain("Digit 5 is 1: the point lies in piece 1.");
     expect(turnTo("read", reading, MAPS, BOX)).toBe(reading);
   });
 
@@ -92,7 +92,7 @@ describe("a point that is followed", () => {
     let orbit: Orbit = START;
     for (let i = 0; i < MOST_STEPS + 5; i++) orbit = applied(orbit, 1);
     expect(follow(MAPS, orbit).points).toHaveLength(MOST_STEPS + 1);
-    expect(words(orbit)).toContain("start again");
+    expect(words(orbit)).toContain("Start over");
     let reading = choose({ way: "read", address: [], count: 0 }, MAPS, BOX, [0, 0]);
     for (let i = 0; i < 99; i++) reading = readOn(reading);
     expect(follow(MAPS, reading).letters).toHaveLength(MOST_READ);
@@ -105,14 +105,14 @@ describe("the words of the game", () => {
   it.each([
     ["at first", {}, /^No throw yet/],
     ["on the way", { throws: 2 }, /^2 throws\. The point is not/],
-    ["in more than are needed", { throws: 5, reached: true }, /fewer: start again/],
+    ["in more than are needed", { throws: 5, reached: true }, /Fewer are possible: start over/],
     ["in the fewest", { throws: 3, reached: true }, /^Well done.*address 2 1 3/],
     [
       "when it was shown",
       { throws: 3, reached: true, shown: true },
-      /^One way: 3, then 1, then 2\..*backwards/,
+      /^One solution: 3, then 1, then 2\..*backwards/,
     ],
-    ["when there are too many", { throws: 40 }, /as many as are kept/],
+    ["when there are too many", { throws: 40 }, /is the limit/],
   ])("%s", (_, change, told) => {
     expect(gameWords({ ...game, ...change })).toMatch(told);
   });

@@ -1,6 +1,8 @@
 /** What is said of a point that is followed, and of the cell that it is to reach. */
 import { formatNumber } from "#format/numbers";
+import { listOf } from "#format/plural";
 import type { Point } from "#geometry/maps/orbit";
+import * as messages from "../messages";
 import { type Facts, type Followed, isFull, MOST_STEPS, type Orbit, stepsOf } from "./follow";
 
 /** Letters that are shown of an address. */
@@ -18,7 +20,7 @@ export const pointText = ([x, y]: Point): string => `(${formatNumber(x, 3)}, ${f
 /** "1 and 2", "1, 2 and 5": counted from 1. */
 export function listed(letters: readonly number[]): string {
   const names = letters.map((letter) => `${letter + 1}`);
-  return names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`;
+  return listOf(names);
 }
 
 /** Where the point is and how it came there, in two or three short sentences. */
@@ -33,29 +35,20 @@ export function orbitWords(
   const steps = stepsOf(orbit);
   if (orbit.way === "off")
     return off === null
-      ? `The point ${pointText(here)} has no address that could be found: too many pieces overlap near it.`
-      : `The point ${pointText(here)} is off the shape, ${formatNumber(off, 3)} from it. Only points of the shape have an address.`;
+      ? messages.noAddress(pointText(here))
+      : messages.offShape(pointText(here), formatNumber(off, 3));
   if (orbit.way === "apply") {
     const where =
-      off === null
-        ? ""
-        : off === 0
-          ? " It is on the shape, and stays there."
-          : ` It is off the shape, ${formatNumber(off, 3)} from it. The maps lead it to the shape all the same.`;
-    if (last === undefined) return `The point starts at ${pointText(here)}.${where}`;
-    const full = isFull(orbit) ? ` ${MOST_STEPS} steps are kept: start again.` : "";
-    return `Step ${steps}: map ${last + 1}, to ${pointText(here)}.${full}`;
+      off === null ? "" : off === 0 ? messages.onShapeAndStays : messages.offButLed(formatNumber(off, 3));
+    if (last === undefined) return messages.startsAt(pointText(here), where);
+    const full = isFull(orbit) ? messages.stepsFull(MOST_STEPS) : "";
+    return messages.stepTo(steps, last + 1, pointText(here), full);
   }
-  const several =
-    pieces.length > 1
-      ? ` Pieces ${listed(pieces)} share the point, so it has several addresses. The first is taken.`
-      : "";
-  if (last === undefined) return `The point ${pointText(here)} is on the shape.${several}`;
-  const flat = isFlat(last)
-    ? ` Map ${last + 1} flattens the shape, so it has no inverse: one of the points that it brings here is taken.`
-    : "";
-  const full = isFull(orbit) ? " More letters are finer than numbers tell apart." : "";
-  return `Letter ${steps} is ${last + 1}: the point lies in piece ${last + 1}. The inverse of map ${last + 1} takes it to ${pointText(here)}.${several}${flat}${full}`;
+  const several = pieces.length > 1 ? messages.sharedPoint(listed(pieces)) : "";
+  if (last === undefined) return messages.onShape(pointText(here), several);
+  const flat = isFlat(last) ? messages.flatMap(last + 1) : "";
+  const full = isFull(orbit) ? messages.moreDigitsFinerThan : "";
+  return messages.digitIs(steps, last + 1, pointText(here), several + flat + full);
 }
 
 /** What those who hear it are told of a step: what is new comes first, the whole address last. */
@@ -66,8 +59,13 @@ export function orbitSpoken(orbit: Orbit, followed: Followed, words: string): st
     .slice(0, SHOWN)
     .map((letter) => letter + 1)
     .join(" ");
-  const more = address.length > SHOWN ? " and so on" : "";
-  return `${words} ${orbit.way === "read" ? "Address so far" : "Address"}: ${text}${more}.`;
+  const more = address.length > SHOWN ? messages.andSoOn : "";
+  return messages.addressIs(
+    words,
+    orbit.way === "read" ? messages.addressSoFar : messages.address,
+    text,
+    more,
+  );
 }
 
 export interface Game {
@@ -90,19 +88,19 @@ export const MOST_THROWS = 40;
 
 /** How the game stands. The address of the cell is told to whoever has found it, or asks. */
 export function gameWords({ throws, reached, least, shown, target, way }: Game): string {
-  const count = throws === 1 ? "1 throw" : `${throws} throws`;
+  const count = throws === 1 ? "1 throw" : messages.throwsOf(throws);
   const address = target.map((letter) => letter + 1).join(" ");
   const backwards = way.length === target.length && target.length > 1;
   if (shown && reached) {
     const order = way.map((letter) => letter + 1).join(", then ");
-    const why = backwards ? "Read backwards, that is the address of the cell:" : "The cell has the address";
-    return `One way: ${order}. ${why} ${address}.`;
+    const why = backwards ? messages.readBackwardsThisAddress : messages.cellHasAddress;
+    return messages.oneSolution(order, why, address);
   }
-  if (!reached && throws >= MOST_THROWS) return `${count} are as many as are kept. Start again.`;
-  if (!reached) return throws === 0 ? "No throw yet." : `${count}. The point is not in the framed cell yet.`;
-  if (throws > least) return `Reached in ${count}. It can be done in fewer: start again.`;
-  const why = backwards ? " Compare it with your throws." : "";
-  return `Well done: reached in ${count}, and fewer do not get there. The cell has the address ${address}.${why}`;
+  if (!reached && throws >= MOST_THROWS) return messages.throwsFull(count);
+  if (!reached) return throws === 0 ? messages.noThrowYet : messages.notYet(count);
+  if (throws > least) return messages.reachedButFewer(count);
+  const why = backwards ? messages.compareWithYourThrows : "";
+  return messages.wellDone(count, address, why);
 }
 
 /**
@@ -114,8 +112,7 @@ export function gameSpoken(game: Game): string {
   if (!game.where) return words;
   const { here, centre, width } = game.where;
   const middle = pointText(centre);
-  if (game.throws === 0)
-    return `The framed cell is ${formatNumber(width, 3)} wide, with its centre at ${middle}. ${words} The point is at ${pointText(here)}.`;
-  const sought = game.reached ? "" : ` The centre of the cell is at ${middle}.`;
-  return `${words} The point is at ${pointText(here)}.${sought}`;
+  if (game.throws === 0) return messages.framedCell(formatNumber(width, 3), middle, words, pointText(here));
+  const sought = game.reached ? "" : messages.cellCentre(middle);
+  return messages.wordsAndPoint(words, pointText(here), sought);
 }

@@ -3,6 +3,7 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { IconButton } from "../controls/Button";
 import { useOwnId } from "../id";
+import * as messages from "../messages";
 import css from "./overlay.module.css";
 
 interface DialogProps {
@@ -62,7 +63,7 @@ export function Dialog(props: DialogProps) {
             </h2>
             {about !== undefined && <p>{about}</p>}
           </div>
-          <IconButton icon="close" label="Close" kind="quiet" onClick={onClose} />
+          <IconButton icon="close" label={messages.close} kind="quiet" onClick={onClose} />
         </header>
         <div class={css["dialog-body"]} ref={body} {...(reading ? { tabIndex: 0 } : {})}>
           {children}

@@ -1,6 +1,7 @@
 import { useMemo } from "preact/hooks";
 import { encode } from "uqr";
 import { NIGHT, WHITE } from "#style/colours";
+import * as messages from "../messages";
 import css from "./qr-code.module.css";
 
 interface QrCodeProps {
@@ -11,7 +12,7 @@ interface QrCodeProps {
 }
 
 /** A link for a telephone that is held before the screen. */
-export function QrCode({ address, label = "QR code of the link", large = false }: QrCodeProps) {
+export function QrCode({ address, label = messages.qrCodeLink, large = false }: QrCodeProps) {
   const code = useMemo(() => {
     try {
       return encode(address, { ecc: "L", border: 4 });
@@ -19,7 +20,7 @@ export function QrCode({ address, label = "QR code of the link", large = false }
       return null;
     }
   }, [address]);
-  if (!code) return <p class="hint">The link is too long for a QR code. Send it as text.</p>;
+  if (!code) return <p class="hint">{messages.linkTooLongFor}</p>;
   const { size, data } = code;
   const path = data
     .flatMap((row, y) => row.flatMap((dark, x) => (dark ? [`M${x} ${y}h1v1h-1z`] : [])))

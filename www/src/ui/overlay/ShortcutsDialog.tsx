@@ -3,6 +3,7 @@ import { type Command, groupsOf, help } from "../commands";
 import { touched } from "../touched";
 import { Dialog } from "./Dialog";
 import "./overlay.css";
+import * as messages from "../messages";
 import css from "./overlay.module.css";
 
 interface ShortcutsProps {
@@ -11,7 +12,7 @@ interface ShortcutsProps {
   children?: ComponentChildren;
 }
 
-const NUMBERS = "In number fields: ↑ and ↓ step, Shift finer, Alt coarser.";
+const NUMBERS = messages.inNumberFieldsAnd;
 
 /** The keys of a tool, opened by "?" or by a button. Below what else helps they are folded away from fingers. */
 export function ShortcutsDialog({ commands, children }: ShortcutsProps) {
@@ -20,7 +21,7 @@ export function ShortcutsDialog({ commands, children }: ShortcutsProps) {
   return (
     <Dialog
       reading
-      title={children === undefined ? "Keyboard" : "Help"}
+      title={children === undefined ? messages.keyboard : messages.help}
       {...(folded ? {} : { about: NUMBERS })}
       onClose={() => {
         help.value = false;
@@ -29,7 +30,7 @@ export function ShortcutsDialog({ commands, children }: ShortcutsProps) {
       {children}
       {folded ? (
         <details class={css["keys"]}>
-          <summary>With a keyboard</summary>
+          <summary>{messages.keyboard}</summary>
           <p class="hint">{NUMBERS}</p>
           <Keys commands={commands} />
         </details>
@@ -38,7 +39,7 @@ export function ShortcutsDialog({ commands, children }: ShortcutsProps) {
       )}
       <p class="hint">
         <a href="./licenses.txt" target="_blank" rel="noreferrer">
-          Licences of Frond and its parts
+          {messages.licencesFrondAndComponents}
         </a>
       </p>
     </Dialog>
@@ -57,7 +58,7 @@ function Keys({ commands }: Pick<ShortcutsProps, "commands">) {
                 <dt>
                   {keys.map((way, index) => (
                     <span key={way}>
-                      {index > 0 && <span class={css["or"]}> or </span>}
+                      {index > 0 && <span class={css["or"]}> {messages.or} </span>}
                       {/* "+" alone is a key. */}
                       {way.split(/(?<=.)\+/).map((key) => (
                         <kbd key={key}>{key}</kbd>

@@ -1,5 +1,6 @@
 import "./overlay.css";
 import { Button, IconButton } from "../controls/Button";
+import * as messages from "../messages";
 
 interface Action {
   label: string;
@@ -23,7 +24,7 @@ interface ToastsProps {
 /** Short notices in a corner. Errors are read out at once, the others when there is a pause. */
 export function Toasts({ toasts, onDismiss }: ToastsProps) {
   return (
-    <section class="toasts" aria-label="Notices">
+    <section class="toasts" aria-label={messages.notices}>
       {toasts.map((toast) => (
         <div key={toast.id} class={`toast ${toast.kind}`} role={toast.kind === "error" ? "alert" : "status"}>
           <p>{toast.text}</p>
@@ -42,7 +43,12 @@ export function Toasts({ toasts, onDismiss }: ToastsProps) {
                 </Button>
               ),
           )}
-          <IconButton icon="close" label="Dismiss" kind="quiet" onClick={() => onDismiss(toast.id)} />
+          <IconButton
+            icon="close"
+            label={messages.dismiss}
+            kind="quiet"
+            onClick={() => onDismiss(toast.id)}
+          />
         </div>
       ))}
     </section>

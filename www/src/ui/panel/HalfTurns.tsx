@@ -1,6 +1,7 @@
 import { announce } from "#document/notice";
 import { halfTurnWay, halfTurnWords } from "#format/path-words";
 import { Button } from "#ui/controls/Button";
+import * as messages from "../messages";
 
 interface HalfTurnsProps {
   /** For each map the whole turns that make its half turn the other one; 0 where it makes none. */
@@ -25,10 +26,10 @@ export function HalfTurns({ other, onTurn }: HalfTurnsProps) {
           kind="quiet"
           onClick={() => {
             onTurn(other);
-            announce("They make the other half turn now.");
+            announce(messages.allNowMakeOther);
           }}
         >
-          Turn all of them the other way
+          {messages.turnAllThemOther}
         </Button>
       ) : (
         maps.map(({ map, way }) => (
@@ -37,10 +38,10 @@ export function HalfTurns({ other, onTurn }: HalfTurnsProps) {
             kind="quiet"
             onClick={() => {
               onTurn(other.map((turn, i) => (i === map ? turn : 0)));
-              announce(`Map ${map + 1} turns ${way} now.`);
+              announce(messages.mapTurnsNow(map + 1, way));
             }}
           >
-            Turn map {map + 1} {way}
+            {messages.turnMap(map + 1, way)}
           </Button>
         ))
       )}

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { help } from "../commands";
 import { Button } from "../controls/Button";
+import * as messages from "../messages";
 
 /** The end of a tool's panel. */
 export function PanelFoot({ children }: { children?: ComponentChildren }) {
@@ -15,7 +16,7 @@ export function PanelFoot({ children }: { children?: ComponentChildren }) {
           help.value = true;
         }}
       >
-        Keyboard shortcuts
+        {messages.keyboardShortcuts}
       </Button>
     </footer>
   );

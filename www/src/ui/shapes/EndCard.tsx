@@ -1,5 +1,6 @@
 import { type ComponentChildren, createRef } from "preact";
 import { IconButton } from "../controls/Button";
+import * as messages from "../messages";
 import css from "./ends.module.css";
 
 /** The buttons that ask for another shape, where the focus goes once one is chosen. */
@@ -29,8 +30,8 @@ export function EndCard(props: EndCardProps) {
         class={css["card-face"]}
         ref={CARDS[end]}
         aria-haspopup="dialog"
-        aria-label={`Shape ${letter}: ${name}, ${note}. Choose another`}
-        title="Choose another shape"
+        aria-label={messages.shapeChoose(letter, name, note)}
+        title={messages.chooseAnotherShape}
         onClick={onChoose}
       >
         {picture}
@@ -56,7 +57,7 @@ export function SwapEnds({ onSwap, disabled = false }: { onSwap: () => void; dis
   return (
     <IconButton
       icon="swap"
-      label="Swap A and B"
+      label={messages.swapAndB}
       kind="quiet"
       class={css["ends-swap"]}
       disabled={disabled}

@@ -1,4 +1,5 @@
 import type { EpsilonProjection } from "#wasm/api";
+import * as messages from "../messages";
 import { MapBlocks } from "./MapBlocks";
 
 interface FlattenedMapsProps {
@@ -11,10 +12,10 @@ interface FlattenedMapsProps {
 export function FlattenedMaps({ of: { maps, diverging }, most }: FlattenedMapsProps) {
   return (
     <MapBlocks
-      label="Parameters of the flattened shape"
+      label={messages.parametersFlattenedShape}
       maps={maps.slice(0, most)}
       digits={3}
-      mark="grows"
+      mark={messages.grows}
       marked={(map, place) =>
         diverging.some(([other, row, column = 2]) => other === map && place === 3 * row + column)
       }

@@ -1,5 +1,6 @@
 import { fixed } from "#format/numbers";
 import { axesOf, linesOf } from "#geometry/maps/row";
+import * as messages from "../messages";
 import css from "./map-blocks.module.css";
 
 /** One affine map of the plane or of space: the rows of its matrix, then its translation. */
@@ -26,7 +27,7 @@ export function MapBlocks({ label, maps, digits = 4, first = 1, marked, mark = "
         <li key={index + first}>
           <table class={css["map-block"]}>
             <caption>
-              <span class="unseen">Map </span>
+              <span class="unseen">{messages.map} </span>
               <span aria-hidden="true" class="symbol">
                 w
               </span>

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { IconButton } from "../controls/Button";
+import * as messages from "../messages";
 import css from "./map-list.module.css";
 
 interface MapListProps {
@@ -46,7 +47,11 @@ export function MapList({ maps, open, onOpen, swatch, numbered = false, onRemove
             }}
           >
             {swatch(index)}
-            {numbered ? <span class="unseen">Map {index + 1}: </span> : <span>Map {index + 1}</span>}
+            {numbered ? (
+              <span class="unseen">{messages.mapColon(index + 1)} </span>
+            ) : (
+              <span>{messages.mapNumber(index + 1)}</span>
+            )}
             <span class={css["map-words"]}>{words}</span>
           </button>
           {open === index && <div class={css["map-body"]}>{fields(index)}</div>}
@@ -77,28 +82,28 @@ export function MapTools<Row>({ maps, index, most, onPress, copyOf = same, child
     <div class={css["map-tools"]}>
       <IconButton
         icon="copy"
-        label="Duplicate this map"
+        label={messages.duplicateThisMap}
         kind="quiet"
         disabled={maps.length >= most}
         onClick={() =>
           onPress(
             [...maps, ...maps.slice(index, index + 1).map(copyOf)],
             maps.length,
-            `Map ${maps.length + 1} is a copy of map ${index + 1}.`,
+            messages.mapCopied(maps.length + 1, index + 1),
           )
         }
       />
       {children}
       <IconButton
         icon="bin"
-        label="Remove this map"
+        label={messages.removeThisMap}
         kind="quiet"
         disabled={maps.length < 2}
         onClick={() =>
           onPress(
             maps.filter((_, i) => i !== index),
             Math.max(0, index - 1),
-            `Map ${index + 1} is removed.`,
+            messages.mapRemoved(index + 1),
           )
         }
       />

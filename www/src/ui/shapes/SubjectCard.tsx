@@ -1,5 +1,6 @@
 import "./subject-card.css";
 import type { ComponentChildren } from "preact";
+import * as messages from "../messages";
 
 interface SubjectCardProps {
   /** A small picture of it. */
@@ -27,7 +28,7 @@ export function SubjectCard({ picture, name, about, onChoose, label }: SubjectCa
       class="subject"
       aria-haspopup="dialog"
       aria-label={label}
-      title="Choose another shape"
+      title={messages.chooseAnotherShape}
       onClick={onChoose}
     >
       {inside}

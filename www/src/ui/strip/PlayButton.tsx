@@ -1,5 +1,6 @@
 import "./play-button.css";
 import { IconButton } from "../controls/Button";
+import * as messages from "../messages";
 
 interface PlayButtonProps {
   playing: boolean;
@@ -14,7 +15,7 @@ export function PlayButton({ playing, onToggle, still }: PlayButtonProps) {
       class="play"
       command="play"
       icon={playing ? "pause" : "play"}
-      label={playing ? "Pause" : "Play"}
+      label={playing ? messages.pause : messages.play}
       disabled={still !== undefined}
       {...(still === undefined ? {} : { description: still })}
       onClick={onToggle}

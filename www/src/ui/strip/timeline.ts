@@ -1,6 +1,7 @@
 /** What moves in time: the same to the keys of every tool. */
 import { addStep } from "#format/numbers";
 import type { Command } from "../commands";
+import * as messages from "../messages";
 
 export interface Timeline {
   now(): number;
@@ -20,19 +21,31 @@ export function timeCommands(line: Timeline): Command[] {
   const scrub = (part: number) => (way: number) =>
     line.seek(addStep(line.now(), (way === 0 ? -part : part) * line.length()));
   return [
-    { id: "play", label: "Play, pause", group: "Time", keys: ["Space"], run: () => line.toggle() },
-    { id: "scrub", label: "Back, forward by 1%", group: "Time", keys: ["←", "→"], run: scrub(0.01) },
+    {
+      id: "play",
+      label: messages.playOrPause,
+      group: messages.time,
+      keys: ["Space"],
+      run: () => line.toggle(),
+    },
+    {
+      id: "scrub",
+      label: messages.backOrForwardBy,
+      group: messages.time,
+      keys: ["←", "→"],
+      run: scrub(0.01),
+    },
     {
       id: "scrub-finely",
-      label: "Back, forward by 0.1%",
-      group: "Time",
+      label: messages.backOrForwardBy0,
+      group: messages.time,
       keys: ["Shift+←", "Shift+→"],
       run: scrub(0.001),
     },
     {
       id: "step",
-      label: `To the ${line.stop} before, after`,
-      group: "Time",
+      label: messages.toStop(line.stop),
+      group: messages.time,
       keys: ["[", "]"],
       run: (way) => line.step(way === 0 ? -1 : 1),
     },

@@ -1,4 +1,5 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
+import * as messages from "../messages";
 import css from "./term.module.css";
 import { type TermName, WORDS } from "./words";
 
@@ -20,15 +21,15 @@ export function Meaning({ name }: { name: TermName }) {
       <span class={css["meaning"]} role="note" ref={box}>
         {found.means}{" "}
         {found.lesson && (
-          <a href={`#learn/${found.lesson}`} aria-label={`The lesson on “${name}”`}>
-            Lesson
+          <a href={`#learn/${found.lesson}`} aria-label={messages.lessonOn(name)}>
+            {messages.lesson}
           </a>
         )}
         {name === "proved" && (
           <>
             {" · "}
             <a href="./theorems.html" target="_blank" rel="noopener">
-              Why that is a proof
+              {messages.whyProof}
             </a>
           </>
         )}

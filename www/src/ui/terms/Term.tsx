@@ -2,6 +2,7 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { listenForEscape } from "../escape";
 import { lazily } from "../lazy";
+import * as messages from "../messages";
 import css from "./term.module.css";
 import type { TermName } from "./words";
 
@@ -35,7 +36,7 @@ export function Term({ name, children }: { name: TermName; children: ComponentCh
         type="button"
         ref={word}
         class={css["word"]}
-        title="What this means"
+        title={messages.whatThisMeans}
         aria-expanded={open}
         onClick={() => setOpen(!open)}
       >

@@ -18,7 +18,7 @@ export function DomainFields({ domain, within: [from, to], onChange, onDone = ()
       {([0, 1] as const).map((end) => (
         <NumberField
           key={end}
-          label={end === 0 ? messages.copiesFrom : "to"}
+          label={end === 0 ? messages.copiesFrom : messages.to}
           symbol={end === 0 ? "α" : "β"}
           value={domain[end]}
           min={from}

@@ -113,7 +113,7 @@ function Entry({ row }: { row: KeptFit }) {
           {read ? aboutWords(row, read.fit) : messages.thisVersionFrondCannot}
           <br />
           {whenWords(row.time)}
-          {row.pinned && " · pinned"}
+          {row.pinned && messages.pinnedAside}
         </>
       }
       onOpen={read ? () => openKept(row, read.fit) : undefined}

@@ -187,7 +187,7 @@ function Brush() {
     <div class="stack">
       <ChoiceRow
         label={messages.brush}
-        name="What a drag on the picture does"
+        name={messages.dragMode}
         value={hand.value}
         options={HANDS}
         onChange={(next) => {
@@ -220,8 +220,9 @@ function Brush() {
             {messages.doNotSpread}
           </Switch>
           <p class="hint">
-            {exact.value ? messages.onlyPaintedPixelsChange : messages.oneStrokeOftenEnough} By keys: the
-            arrows move it once the picture has the focus, the space bar paints, Escape puts it away.
+            {messages.brushKeys(
+              exact.value ? messages.onlyPaintedPixelsChange : messages.oneStrokeOftenEnough,
+            )}
           </p>
         </>
       )}

@@ -74,10 +74,10 @@ function Closed() {
         <p class="hint">{source.value.kind === "kept" ? messages.thisFitHasNo : messages.measuring}</p>
       ) : null}
       <dl class={`${fitCss["facts"]} number`}>
-        <Fact name="Numbers">{numbersOf(fit.curve)}</Fact>
-        <Fact name="Knots">{knots.length}</Fact>
-        <Fact name="Copied edges">{copies}</Fact>
-        {current && <Fact name="Bytes in a link">{current.bytes.toLocaleString("en-GB")}</Fact>}
+        <Fact name={messages.numbersName}>{numbersOf(fit.curve)}</Fact>
+        <Fact name={messages.knotsName}>{knots.length}</Fact>
+        <Fact name={messages.copiedEdges}>{copies}</Fact>
+        {current && <Fact name={messages.bytesInLink}>{current.bytes.toLocaleString("en-GB")}</Fact>}
       </dl>
       {current?.figures && <Chart own={current.figures} all={rivals.value} />}
     </>
@@ -93,10 +93,10 @@ function Paper() {
       <Table figures={fit.figures} />
       <p class="hint">{roughWords(fit.figures)}</p>
       <dl class={`${fitCss["facts"]} number`}>
-        <Fact name="Numbers">{fit.numbers}</Fact>
-        <Fact name="Maps">{fit.maps.length}</Fact>
-        <Fact name="Feature points">{options.features}</Fact>
-        <Fact name="Widest gap">{percent(fit.widest)}</Fact>
+        <Fact name={messages.numbersName}>{fit.numbers}</Fact>
+        <Fact name={messages.mapsName}>{fit.maps.length}</Fact>
+        <Fact name={messages.featurePointsName}>{options.features}</Fact>
+        <Fact name={messages.widestGapName}>{percent(fit.widest)}</Fact>
       </dl>
     </>
   );

@@ -102,8 +102,8 @@ function Collage() {
         label={messages.xAndY}
         value={now.separable ? "apart" : "together"}
         options={[
-          { value: "together", label: "together", description: messages.matrixFourNumbersEach },
-          { value: "apart", label: "apart", description: messages.separableNumberForEach },
+          { value: "together", label: messages.together, description: messages.matrixFourNumbersEach },
+          { value: "apart", label: messages.apart, description: messages.separableNumberForEach },
         ]}
         onChange={(next) => change({ separable: next === "apart" })}
       />
@@ -112,7 +112,7 @@ function Collage() {
         value={now.partitioned ? "anywhere" : "ranges"}
         options={[
           { value: "ranges", label: messages.wherePiecesDo, description: messages.recurrentRfif },
-          { value: "anywhere", label: "anywhere", description: messages.partitionedPfif },
+          { value: "anywhere", label: messages.anywhere, description: messages.partitionedPfif },
         ]}
         onChange={(next) => change({ partitioned: next === "anywhere" })}
       />

@@ -66,9 +66,9 @@ export function WithinFigures() {
       ) : null}
       {current && (
         <dl class={`${fitCss["facts"]} number`} data-testid="within-facts">
-          <Fact name="Bytes, all in all">{current.bytes.toLocaleString("en-GB")}</Fact>
-          <Fact name="Letters in a link">{current.word.length.toLocaleString("en-GB")}</Fact>
-          <Fact name="Corners">{current.corners}</Fact>
+          <Fact name={messages.allBytes}>{current.bytes.toLocaleString("en-GB")}</Fact>
+          <Fact name={messages.charactersInLink}>{current.word.length.toLocaleString("en-GB")}</Fact>
+          <Fact name={messages.corners}>{current.corners}</Fact>
           <Fact name="Parabolas">{current.bends}</Fact>
         </dl>
       )}

@@ -99,7 +99,7 @@ function Options() {
       <div class={graphCss["graph-slider"]}>
         <span class="row-name">{messages.smoothingAgainstNoise}</span>
         <span class="number dim">
-          {smoothing.value === 0 ? "none" : `${formatNumber(100 * smoothing.value, 2)}%`}
+          {smoothing.value === 0 ? messages.none : `${formatNumber(100 * smoothing.value, 2)}%`}
         </span>
         <Slider
           label={messages.smoothingAgainstNoise}
@@ -107,7 +107,9 @@ function Options() {
           max={MOST_SMOOTHING}
           step={0.0005}
           valueText={
-            smoothing.value === 0 ? "none" : messages.percentOfLength(formatNumber(100 * smoothing.value, 2))
+            smoothing.value === 0
+              ? messages.none
+              : messages.percentOfLength(formatNumber(100 * smoothing.value, 2))
           }
           onChange={(next) => {
             smoothing.value = Number(next.toFixed(4));
