@@ -179,7 +179,7 @@ test("the grid bends it, with its moment, and undo takes that back", async ({ st
   const grid = new Grid(page, studio);
   await grid.open(`${LEAVES}&tool=deform`);
   const rest = await studio.look();
-  await expect(page.getByText("A closed curve has no pieces that could turn")).toBeVisible();
+  await expect(page.getByText("A closed curve has no pieces that could rotate")).toBeVisible();
   await expect(page.getByText("Continuity")).toHaveCount(0);
   await grid.drag(await grid.place(4, 4), 60, -40);
   const bent = await studio.look();

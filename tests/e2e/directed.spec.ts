@@ -73,7 +73,7 @@ test("a fern becomes an outline edge by edge, and its link opens it", async ({ s
   await expect(page.getByRole("button", { name: /^Shape A: / })).toHaveAccessibleName(/^Shape A: Frond/);
   await expect(page.getByRole("button", { name: /^Shape B: / })).toHaveAccessibleName(/states/);
   await expect(page.getByText(/parted into \d+ stretches/)).toBeVisible();
-  await expect(page.getByText(/in one piece at every moment of the way, proved/)).toBeVisible();
+  await expect(page.getByText(/in one piece at every moment of the path, proved/)).toBeVisible();
   const fern = await studio.look();
   await page.getByRole("spinbutton", { name: "Time in percent" }).fill("100");
   await page.keyboard.press("Enter");

@@ -82,7 +82,7 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   ];
   await arrive(page, "drop", "first.ifs", BINARY, others);
   const dialog = page.getByRole("dialog", { name: "2 files" });
-  await expect(dialog).toContainText("2 systems are in it");
+  await expect(dialog).toContainText("This file contains 2 systems.");
   await expect.poll(async () => (await studio.said()).join()).toContain("Not opened: letter.pdf.");
   await dialog.getByRole("button", { name: /other/ }).click();
   await expect.poll(async () => (await studio.scene()).a.name).toBe("other");
@@ -94,7 +94,7 @@ test("of several systems one is chosen by its picture or its name", async ({ stu
   const many = Array.from({ length: 14 }, (_, k) => BINARY.replace("binary", `leaf ${k}`)).join("");
   expect(await arrive(page, "paste", "forest.ifs", many + SPONGE)).toBe(true);
   const dialog = page.getByRole("dialog", { name: "forest.ifs" });
-  await expect(dialog).toContainText("15 systems are in it");
+  await expect(dialog).toContainText("This file contains 15 systems.");
   await dialog.getByRole("searchbox").fill("leaf 13");
   await expect(dialog.getByRole("listitem")).toHaveCount(1);
   await expect(dialog.getByRole("searchbox")).toBeFocused();

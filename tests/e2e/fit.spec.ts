@@ -169,7 +169,7 @@ test("a stalk is proposed to be taken off where the fit is used, and stays off",
   const whole = await about.textContent();
   const use = page.getByRole("region", { name: "Use" });
   await expect(use.getByRole("button", { name: "Use as B" })).toBeInViewport();
-  await expect(use).toContainText(/It has a stalk, \d+% as long as the whole/);
+  await expect(use).toContainText(/It has a stalk, \d+% as long as the leaf/);
   await use.getByRole("button", { name: "Remove the stalk" }).click();
   await expect(use).not.toContainText("It has a stalk");
   await expect(about).not.toHaveText(whole ?? "");

@@ -5,7 +5,7 @@ import type { Studio } from "./studio";
 
 test.use({ alone: true });
 
-const GO_ON = /Go on with/;
+const GO_ON = /Continue with/;
 
 /** Draws a path, and waits until it is kept. */
 async function make(studio: Studio, page: Page): Promise<void> {

@@ -66,7 +66,7 @@ test("a shape is begun with copies of a square, which stay where they are while 
   await page.keyboard.press("Delete");
   await page.locator(".side ol button").first().focus();
   await page.keyboard.press("Delete");
-  await expect(page.locator(".toasts")).toContainText("a shape has at least one");
+  await expect(page.locator(".toasts")).toContainText("A shape needs at least one");
   // Two maps never lie on each other, and where they differ their numbers do.
   await page.getByRole("button", { name: "Add a map" }).click();
   const [p, q] = (await studio.scene()).a.maps;

@@ -123,7 +123,7 @@ test("what cannot be followed or played is said, with what to do", async ({ stud
   });
   await test.step("a bent shape is not where its maps take it", async () => {
     await start(`${plain}&mesh=4x4:0,0,1,1&keys=0:6,0.2,0`);
-    await expect(panel(page)).toContainText("Turn off the bend in Deform");
+    await expect(panel(page)).toContainText("Turn off the deformation in Deform");
     await expect(panel(page).getByRole("button", { name: "Throw" })).toHaveCount(0);
   });
   await test.step("a stem that is flat has addresses, and no cells to hit", async () => {
@@ -180,7 +180,7 @@ test("the link of the lesson has its target, which is reached by keys and by a p
   await page.goto(copied);
   await expect(told).toHaveText("No throw yet.");
   await picture.getByRole("button", { name: "Show a solution" }).click();
-  await expect(told).toHaveText("One way: 3, then 1. Read backwards, this is the address of the cell: 1 3.");
+  await expect(told).toHaveText("One solution: 3, then 1. Read backwards, this is the address of the cell: 1 3.");
   await picture.getByRole("button", { name: "Start over" }).click();
   const box = await picture.getByRole("img").boundingBox();
   if (!box) throw new Error("no picture");

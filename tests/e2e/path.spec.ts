@@ -117,7 +117,7 @@ test("the automatic path holds where the straight one breaks", async ({ studio, 
   await studio.idle();
   const words = page.locator(".path-verdict");
   await expect(words).toHaveText(/^In pieces between \d+% and \d+%.*widest gap [\d.]+%/);
-  await expect(page.getByRole("button", { name: /^Prove / })).toHaveCount(0);
+  await expect(page.getByRole("button", { name: /^Try to prove / })).toHaveCount(0);
   await page.getByRole("radio", { name: "Auto" }).check();
   await studio.idle();
   // It comes to the gasket where it holds exactly: nothing is known to be in pieces, however closely one looks.
@@ -172,7 +172,7 @@ test("where the automatic path breaks, a way that holds is found and offered", a
   expect(await studio.scene()).toMatchObject({ mode: "linear", path: { kind: "straight" } });
   expect((await studio.scene()).a.maps).toHaveLength(4);
   await page.getByRole("button", { name: "Try to prove the whole path" }).click();
-  await expect(page.getByText(/Proved, at every moment of this path: .* one of 3 joints/)).toBeVisible({
+  await expect(page.getByText(/Proved for every moment of this path: .* one of 3 joints/)).toBeVisible({
     timeout: 30_000,
   });
   await page.getByRole("banner").getByRole("button", { name: "Undo" }).click();

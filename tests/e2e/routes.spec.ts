@@ -34,7 +34,7 @@ test("another way to match is one step", async ({ studio, page }) => {
   await page.getByText("Which map becomes which").click();
   await page.getByText("Other pairings").click();
   const ways = page.getByRole("radiogroup", { name: "Pairings" }).getByRole("radio");
-  await expect(page.getByText(/^The best first/)).toBeVisible();
+  await expect(page.getByText(/^Best first/)).toBeVisible();
   expect(await ways.count()).toBeGreaterThan(1);
   await expect(ways.first()).toHaveAccessibleName(/: (no gap seen anywhere|gap [\d.]+%)$/);
   // Links of before have the half turn of map 2 counter-clockwise.

@@ -1,6 +1,6 @@
 /** What an embedded Frond says. */
 
-export const picture = "Picture";
+export const picture = "The picture";
 export const time = "Time";
 export const openInFrond = "Open in Frond";
 

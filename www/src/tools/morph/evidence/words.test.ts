@@ -103,7 +103,7 @@ describe("links and checks", () => {
       "Verified in exact arithmetic: 3 contacts, pieces up to level 13.",
     );
     expect(checkWords({ valid: true, text: "", pairs: 0, links: 1, longest: 1 })).toBe(
-      "Checked in exact arithmetic: 1 link between pieces, words of one letter.",
+      "Verified in exact arithmetic: 1 contact, pieces at level 1.",
     );
     expect(checkWords({ valid: false, text: "A pair overlaps.", pairs: 0, links: 0, longest: 0 })).toBe(
       "The check failed: A pair overlaps.",
