@@ -23,6 +23,7 @@ const DONE = [
   "tools/deform",
   "tools/fit",
   "tools/morph",
+  "tools/space",
   "ui",
 ];
 
@@ -36,7 +37,7 @@ const CODES = /^(name|text|unit)$/;
 const SENTENCE = /\p{L}[,.:;]? +\p{L}/u;
 const WORD = /\p{L}{2}/u;
 /** A name of another program, of a format, or of Frond, or a symbol: the same in all languages. */
-const UNTRANSLATED = /^\s*(Frond|Re s|Im s|PNG|GIF|SVG|STL|OBJ|ZIP|WebM|MP4|APNG|JSON|CSV)\s*$/;
+const UNTRANSLATED = /^\s*(Frond|Re s|Im s|PNG|GIF|SVG|STL|OBJ|ZIP|WebM|MP4|APNG|JSON|CSV|PLY|glTF|mm)\s*$/;
 
 interface Node {
   type: string;
@@ -125,6 +126,7 @@ const FOR_PROGRAMS: readonly (readonly [where: string, text: RegExp])[] = [
   ["tools/deform/mesh/handles/HandleFields.tsx", /^mesh field$/],
   ["tools/deform/mesh/handles/keyboard.ts", /^mesh keys$/],
   ["stage/handles/held.ts", /^turn keys$/],
+  ["tools/space/", /^(bend (size|move)|space key)$/],
   ["tools/fit/", /^(drag|keys) (factor|knot|point)$/],
   // Data of a file, and a symbol.
   ["tools/fit/files.ts", /^collage /],

@@ -68,7 +68,7 @@ for (const [name, space] of [
   console.log(`${name}: ${still.count} frames in ${still.seconds.toFixed(1)} s at rest`);
   const round = await frames(() => drag(60));
   console.log(`${name}: ${(round.count / round.seconds).toFixed(1)} frames a second while the view turns`);
-  await page.getByRole("radio", { name: "Turn", exact: true }).first().check({ force: true });
+  await page.getByRole("radio", { name: "Rotate", exact: true }).first().check({ force: true });
   const turned = await frames(() => drag(60));
   console.log(
     `${name}: ${(turned.count / turned.seconds).toFixed(1)} frames a second while its parameters turn`,

@@ -33,7 +33,7 @@ test("a page of another origin shows a morph, and drives it", async ({ page, bas
   const frame = page.frameLocator("iframe");
   const time = frame.getByRole("slider", { name: "Time" });
   await time.waitFor();
-  await expect(frame.getByText(/piece|whole/)).toBeVisible();
+  await expect(frame.getByText(/piece|gap seen/)).toBeVisible();
   await expect(frame.getByRole("button")).toHaveCount(2);
   const say = (message: unknown) => page.evaluate((m) => (window as unknown as Host).say(m), message);
   const heard = () => page.evaluate(() => (window as unknown as Host).heard);

@@ -98,7 +98,7 @@ test("a proof of pieces is checked and can be taken away", async ({ studio, page
   await page.getByRole("button", { name: "Check the proof" }).click();
   await expect(page.getByText(/^Verified in exact arithmetic: [\d,]+ pairs? of pieces/)).toBeVisible();
   // Only now is it called proved.
-  await expect(studio.verdict).toHaveText("In pieces, provedgap 0.056%, finer than 1/600");
+  await expect(studio.verdict).toHaveText("In pieces, provedgap 0.056%, under 1/600 of its size");
   const coming = page.waitForEvent("download");
   await page.getByRole("button", { name: "Download the proof" }).click();
   const download = await coming;

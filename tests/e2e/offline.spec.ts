@@ -26,7 +26,7 @@ test("after a visit the studio works off line, and a page that was not opened sa
   await context.setOffline(true);
   await page.reload();
   await shown();
-  await expect(page.getByText(/piece|whole/).first()).toBeVisible();
+  await expect(page.getByText(/piece|gap seen/).first()).toBeVisible();
   await page.goto(`${baseURL}shape/fern.html`);
   await expect(page.getByText("You are off line")).toBeVisible();
   await page.getByRole("link", { name: "open it" }).click();

@@ -180,7 +180,9 @@ test("the link of the lesson has its target, which is reached by keys and by a p
   await page.goto(copied);
   await expect(told).toHaveText("No throw yet.");
   await picture.getByRole("button", { name: "Show a solution" }).click();
-  await expect(told).toHaveText("One solution: 3, then 1. Read backwards, this is the address of the cell: 1 3.");
+  await expect(told).toHaveText(
+    "One solution: 3, then 1. Read backwards, this is the address of the cell: 1 3.",
+  );
   await picture.getByRole("button", { name: "Start over" }).click();
   const box = await picture.getByRole("img").boundingBox();
   if (!box) throw new Error("no picture");

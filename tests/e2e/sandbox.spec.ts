@@ -61,7 +61,7 @@ test("shows all it has where the host lets anybody fetch it", async ({ page }) =
   await page.goto(await framed("embed.html?verdict#a=dragon-3&b=gasket&t=0.4", true));
   const frame = page.frameLocator("iframe");
   await frame.getByRole("slider", { name: "Time" }).waitFor();
-  await expect(frame.getByText(/piece|whole/)).toBeVisible();
+  await expect(frame.getByText(/piece|gap seen/)).toBeVisible();
   // Workers decide it, and nothing went wrong.
   await expect(frame.getByText("no workers")).toHaveCount(0);
   await expect(frame.getByRole("alert")).toHaveCount(0);

@@ -17,8 +17,8 @@ test("a lattice bends a shape by key, hand and number, and undo makes it straigh
   await complete(page);
   const straight = await studio.look();
   const start = await packed(studio);
-  await page.getByRole("radio", { name: "Bend", exact: true }).check({ force: true });
-  await page.getByRole("button", { name: "Bend it" }).click();
+  await page.getByRole("radio", { name: "Deform", exact: true }).check({ force: true });
+  await page.getByRole("button", { name: "Deform it" }).click();
   const handle = page.getByRole("button", { name: /^Handle 3, 3, 3,/ });
   await expect(page.getByRole("button", { name: /^Handle \d, \d, \d,/ })).toHaveCount(27);
   await complete(page);
@@ -60,12 +60,12 @@ test("a lattice goes from key to key, and the panel says whether the bent shape 
   );
   await complete(page);
   const rest = await studio.look();
-  await page.getByRole("radio", { name: "Bend", exact: true }).check({ force: true });
+  await page.getByRole("radio", { name: "Deform", exact: true }).check({ force: true });
   await expect(page.getByTestId("bent-verdict")).toContainText("In one piece, proved", { timeout: 30_000 });
   await page.getByRole("slider", { name: /time/i }).first().focus();
   await page.keyboard.press("End");
   await expect(page.getByTestId("bent-verdict")).toContainText("In one piece");
-  await expect(page.getByTestId("bent-verdict")).toContainText("as before it was bent");
+  await expect(page.getByTestId("bent-verdict")).toContainText("as without the deformation");
   await complete(page);
   expect((await studio.look()).hash).not.toBe(rest.hash);
   // A pull there changes that key alone.

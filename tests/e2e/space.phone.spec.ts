@@ -25,7 +25,7 @@ test("a phone shows space with its time, and a finger looks around and turns", a
   await finger.drag({ x, y }, { x: x + 80, y: y + 10 });
   expect(await packed()).toBe(before);
   expect((await studio.scene()).space?.view).toBeDefined();
-  await page.getByRole("radio", { name: "Turn", exact: true }).first().check({ force: true });
+  await page.getByRole("radio", { name: "Rotate", exact: true }).first().check({ force: true });
   await finger.drag({ x, y }, { x: x + 80, y: y + 10 });
   await expect.poll(packed).toContain("~m");
 });

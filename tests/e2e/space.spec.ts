@@ -20,7 +20,7 @@ const packed = async (studio: { scene(): Promise<{ space?: { packed: string } }>
 
 async function choose(page: Page, name: string): Promise<void> {
   await page.getByRole("button", { name: /Choose another shape$/ }).click();
-  const gallery = page.getByRole("dialog", { name: "Shapes of space" });
+  const gallery = page.getByRole("dialog", { name: "Shapes in space" });
   await gallery.getByRole("button", { name: new RegExp(`^${name}`) }).click();
   await expect(gallery).toHaveCount(0);
 }
@@ -91,7 +91,7 @@ test("it is looked at from all round, turned by hand, and undo brings every bit 
     const made = [await packed(studio), first.hash];
     const table = page.getByRole("region", { name: "Parameters", exact: true });
     await expect(table).toContainText("All as made");
-    await page.getByRole("radio", { name: "Turn", exact: true }).first().check({ force: true });
+    await page.getByRole("radio", { name: "Rotate", exact: true }).first().check({ force: true });
     const box = await stage(page).boundingBox();
     if (!box) throw new Error("no stage");
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -119,7 +119,7 @@ test("it is looked at from all round, turned by hand, and undo brings every bit 
     await page.getByRole("button", { name: "Save", exact: true }).click();
     await page.getByRole("menuitem", { name: "Mesh for 3-D printing …" }).click();
     const dialog = page.getByRole("dialog", { name: "Mesh for 3-D printing" });
-    const fineness = dialog.getByLabel("Fineness");
+    const fineness = dialog.getByLabel("Resolution");
     await fineness.fill("48");
     await fineness.press("Enter");
     const told = dialog.getByText(/ mm · \d+ 000 triangles · /);
@@ -159,14 +159,14 @@ test("a flight through the natural scene is keyed, exported as a film that plays
   await page.keyboard.press("End");
   for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowLeft");
   const before = await keys.count();
-  await page.getByRole("button", { name: "Set key" }).click();
+  await page.getByRole("button", { name: "Set keyframe" }).click();
   await expect(keys).toHaveCount(before + 1);
   // By the keyboard alone it is made to go to and fro.
-  const after = page.getByRole("button", { name: /^After the end: / });
+  const after = page.getByRole("button", { name: /^Loop: / });
   await after.press("Enter");
-  await page.getByRole("menuitem", { name: "Once", exact: true }).press("End");
+  await page.getByRole("menuitem", { name: "None", exact: true }).press("End");
   await page.keyboard.press("Enter");
-  await expect(after).toHaveAccessibleName("After the end: to and fro");
+  await expect(after).toHaveAccessibleName("Loop: to and fro");
   expect(await packed(studio)).toContain("/time:12,2,");
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await expect(page.getByRole("button", { name: "Pause", exact: true })).toBeVisible();
@@ -222,7 +222,7 @@ test("no object of several leaves unasked, and the background goes with the link
 }) => {
   await studio.open(TETRAHEDRON);
   await choose(page, "A natural scene");
-  const objects = page.getByRole("radiogroup", { name: "The object that is worked on" }).getByRole("radio");
+  const objects = page.getByRole("radiogroup", { name: "Selected object" }).getByRole("radio");
   await expect(objects).toHaveCount(13);
   // By keys alone.
   const card = page.getByRole("button", { name: "Meadow. Choose another shape" });
@@ -230,20 +230,20 @@ test("no object of several leaves unasked, and the background goes with the link
   await page.getByRole("dialog").locator("button:focus").waitFor();
   await page.keyboard.press("Home");
   await page.keyboard.press("Enter");
-  const asked = page.getByRole("dialog", { name: /^Where is .* to stand\?$/ });
-  await expect(asked.getByRole("button", { name: /^Beside what there is/ })).toBeFocused();
+  const asked = page.getByRole("dialog", { name: /^Where should .* go\?$/ });
+  await expect(asked.getByRole("button", { name: /^Add/ })).toBeFocused();
   await expect(objects).toHaveCount(13);
   await page.keyboard.press("Tab");
-  await expect(asked.getByRole("button", { name: /^Instead of Meadow/ })).toBeFocused();
+  await expect(asked.getByRole("button", { name: /^Replaces Meadow/ })).toBeFocused();
   await page.keyboard.press("Enter");
-  await expect(page.getByText(/stands in the place of Meadow/).first()).toBeVisible();
+  await expect(page.getByText(/replaces Meadow/).first()).toBeVisible();
   await expect(card).toHaveCount(0);
   await page.locator(".notices").getByRole("button", { name: "Undo" }).click();
   await expect(card).toBeVisible();
 
   await page.getByRole("radio", { name: "Light", exact: true }).first().check({ force: true });
   await page
-    .getByRole("radiogroup", { name: "What the picture is seen before" })
+    .getByRole("radiogroup", { name: "Background" })
     .getByRole("radio", { name: "Dark" })
     .check({ force: true });
   const colour = (on: Page) => stage(on).evaluate((element) => getComputedStyle(element).backgroundColor);
@@ -292,7 +292,7 @@ test("the tetrahedron becomes a dragon on a path that holds", async ({ studio, p
   await page.getByRole("radio", { name: "Morph", exact: true }).check({ force: true });
   await page.getByRole("button", { name: "Tetrahedron to the dragon in space" }).first().click();
   await expect.poll(() => packed(studio), { timeout: 200_000 }).toContain("/way:auto;");
-  const place = page.getByRole("slider", { name: "Place along the path", exact: true });
+  const place = page.getByRole("slider", { name: "Position on the path", exact: true });
   await place.focus();
   for (let i = 0; i < 3; i++) await page.keyboard.press("PageUp");
   await expect.poll(() => packed(studio)).toMatch(/\/t:0\.\d/);

@@ -3,7 +3,7 @@ import { commands } from "./commands";
 import { stageCommand } from "./stage/keys";
 
 test("every key that help says the stage has does something there", () => {
-  const stage = commands.filter(({ group }) => group === "Where the picture has the focus");
+  const stage = commands.filter(({ group }) => group === "With the picture focused");
   expect(stage.length).toBeGreaterThan(3);
   for (const way of stage.flatMap(({ keys }) => keys)) {
     const key =

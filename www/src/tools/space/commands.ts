@@ -5,6 +5,7 @@ import { fitCommand, handCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
+import * as messages from "./messages";
 import { goToOrigin, showWhole } from "./stage/actions";
 import { scrubSpace, togglePlay } from "./time/clock";
 import { goToKey, setKey } from "./time/keys/keys";
@@ -18,30 +19,30 @@ export const timeline: Timeline = {
   stop: "key",
 };
 
-const DRAG = "What a drag does";
-const PLACES = "Places to look from";
+const DRAG = messages.dragMode;
+const PLACES = messages.viewpoints;
 
 export const commands: readonly Command[] = [
   handCommand(hand, ["look", "turn", "move", "scale"], {
-    label: "The next, the one before: look around; turn, move, scale the object",
+    label: messages.nextOrPreviousDrag,
     group: DRAG,
   }),
-  ...widgetKeys(DRAG, [["drag-shift", "Held while dragging: shift what is seen", "Shift"]]),
-  ...widgetKeys("Where the picture has the focus", [
-    ["stage-move", "What a drag does; with Shift, shift what is seen", "←", "→", "↑", "↓"],
-    ["stage-zoom", "Nearer, farther", "+", "−"],
-    ["stage-fly", "Fly ahead, left, back, right; Shift finer", "W", "A", "S", "D"],
-    ["stage-rise", "Fly down, up", "Q", "E"],
-    ["size", "A smaller angle of view, a larger one", ",", "."],
+  ...widgetKeys(DRAG, [["drag-shift", messages.holdWhileDraggingPan, "Shift"]]),
+  ...widgetKeys(messages.withPictureFocused, [
+    ["stage-move", messages.asDragModeSays, "←", "→", "↑", "↓"],
+    ["stage-zoom", messages.zoomInZoomOut, "+", "−"],
+    ["stage-fly", messages.flyForwardLeftBack, "W", "A", "S", "D"],
+    ["stage-rise", messages.flyDownUp, "Q", "E"],
+    ["size", messages.decreaseOrIncreaseAngle, ",", "."],
   ]),
-  { ...fitCommand(showWhole), label: "All of it", group: PLACES, keys: ["0", "F"] },
-  { id: "origin", label: "From the origin", group: PLACES, keys: ["O"], run: goToOrigin },
-  { id: "key", label: "Set a key", group: "Time", keys: ["K"], run: setKey },
-  ...widgetKeys("Key, in focus", [
-    ["key-move", "Move it by 0.1 s; Shift finer, Alt farther", "←", "→"],
-    ["key-go", "Go there", "Enter"],
-    ["key-next", "To its neighbour", "[", "]"],
-    ["key-delete", "Delete it", "Delete", "−"],
+  { ...fitCommand(showWhole), label: messages.showAll, group: PLACES, keys: ["0", "F"] },
+  { id: "origin", label: messages.fromOrigin, group: PLACES, keys: ["O"], run: goToOrigin },
+  { id: "key", label: messages.setKeyframe, group: messages.time, keys: ["K"], run: setKey },
+  ...widgetKeys(messages.keyframeFocused, [
+    ["key-move", messages.moveBy01, "←", "→"],
+    ["key-go", messages.goThere, "Enter"],
+    ["key-next", messages.toNextOne, "[", "]"],
+    ["key-delete", messages.deleteLabel, "Delete", "−"],
   ]),
   exportCommand(),
   ...everywhere(),

@@ -1,13 +1,14 @@
 import type { ToolEntry } from "#stage/tool";
 import { keepLook } from "./keep";
+import * as messages from "./messages";
 
 export const space: ToolEntry = {
   id: "space",
-  label: "Space",
-  title: "Frond: turn and move fractals in space",
-  side: "Shapes, morph and light",
-  stage: "Space",
+  label: messages.space,
+  title: messages.frondRotateAndMove,
+  side: messages.shapesMorphAndLight,
+  stage: messages.space,
   tool: () => import("./tool").then((module) => module.openTool()),
   keepOnUndo: keepLook,
-  missing: "Space could not be loaded",
+  missing: messages.spaceCouldNotLoaded,
 };

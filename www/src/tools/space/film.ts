@@ -11,6 +11,7 @@ import type { Subject } from "#workers/film/subject";
 import { spaceTask } from "#workers/space/client";
 import { spaceDrawer } from "#workers/space/drawer";
 import { Frames, frameRecord } from "#workers/space/frames";
+import * as messages from "./messages";
 import { ground } from "./stage/sight";
 import { stageSize } from "./stage/state";
 import { fly } from "./time/flight/fly";
@@ -24,8 +25,8 @@ export async function films(): Promise<Films> {
     return {
       subjects: [],
       nothing: {
-        words: "Nothing moves yet, so there is nothing to film. Set two keys, or begin with a ready flight.",
-        label: "Fly through",
+        words: messages.noAnimationYetSo,
+        label: messages.flyThrough,
         disabled: !now,
         run: () => void fly("through"),
       },
@@ -39,7 +40,7 @@ export async function films(): Promise<Films> {
 export async function still(): Promise<Still> {
   const now = space.peek();
   const view = spaceView.peek();
-  if (!now || !view) throw new Error("There is nothing to be seen yet.");
+  if (!now || !view) throw new Error(messages.thereNothingToDraw);
   const line = timeline.peek() ?? { seconds: 1, loop: "once" as const };
   return {
     subject: subjectOf(now, view, line, true),
@@ -59,7 +60,7 @@ function subjectOf(
   const name = now.objects.length === 1 ? (now.objects[0]?.name ?? "") : "";
   return {
     id: "space",
-    label: "Space",
+    label: messages.space,
     name: plainName(name, "space", 32),
     seconds,
     anyLength: false,
@@ -82,16 +83,15 @@ function subjectOf(
 const KINDS: Numbers["kinds"] = [
   {
     value: "frames",
-    label: "Every frame",
-    description: "The parameters of each frame, for other programs and for Frond",
+    label: messages.everyFrame,
+    description: messages.parametersEachFrameFor,
   },
-  { value: "keys", label: "Shapes and keys", description: "A small file for Frond" },
+  { value: "keys", label: messages.shapesAndKeyframes, description: messages.smallFileForFrond },
 ];
 
 const ABOUT: Numbers["about"] = {
-  keys: "The shapes, the light and the keys as they are here. Frond opens it again: More of time, Open a saved animation.",
-  frames:
-    "For each frame its time, the view, and the parameters of every object: 12 numbers a map, the rows of its matrix and then its translation. Frond opens it again, with its keys.",
+  keys: messages.shapesLightAndKeyframes,
+  frames: messages.forEachFrameTime,
 };
 
 function numbersOf(now: Space, view: SpaceView): Numbers {

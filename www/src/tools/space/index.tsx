@@ -7,6 +7,7 @@ import { Segmented } from "#ui/controls/Segmented";
 import { PanelFoot } from "#ui/panel/PanelFoot";
 import { BendPanel3 } from "./bend/BendPanel3";
 import { LightPanel } from "./light/LightPanel";
+import * as messages from "./messages";
 import { MorphPanel3 } from "./morph/MorphPanel3";
 import { watchMorph } from "./morph/work";
 import { type Part, part } from "./part";
@@ -20,11 +21,11 @@ effect(() => {
 });
 
 const PARTS: { value: Part; label: string; description: string }[] = [
-  { value: "shape", label: "Shape", description: "Objects, their parameters, and what is done to them" },
-  { value: "bend", label: "Bend", description: "A lattice that bends the object at every scale" },
-  { value: "morph", label: "Morph", description: "Another shape that the first object becomes" },
-  { value: "light", label: "Light", description: "Light, colours, and the view in numbers" },
-  { value: "time", label: "Time", description: "Key frames and films" },
+  { value: "shape", label: messages.shape, description: messages.objectsTheirParametersAnd },
+  { value: "bend", label: messages.deform2, description: messages.latticeDeformsObjectAt },
+  { value: "morph", label: messages.morph, description: messages.anotherShapeFirstObject },
+  { value: "light", label: messages.light, description: messages.lightColoursAndView },
+  { value: "time", label: messages.time, description: messages.keyframesAndFilms },
 ];
 
 /** Everything beside the picture. */
@@ -33,7 +34,7 @@ export function SpacePanel() {
     // A path is looked for whichever part is open.
     const stop = watchMorph();
     const toShape = (event: DragEvent) => {
-      if (event.dataTransfer?.types.includes("Files")) part.value = "shape";
+      if (event.dataTransfer?.types.includes(messages.files)) part.value = "shape";
     };
     addEventListener("drop", toShape);
     return () => {
@@ -45,7 +46,7 @@ export function SpacePanel() {
   return (
     <div class={`panel ${css["space-panel"]}`}>
       <Segmented
-        label="What the panel shows"
+        label={messages.panel}
         value={now}
         options={PARTS}
         onChange={(next) => {

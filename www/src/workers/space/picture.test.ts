@@ -114,7 +114,7 @@ test("what is called off is let go", async () => {
   carving.slices = 1e9;
   const stopping: Context = {
     ...context,
-    breathe: () => Promise.reject({ code: "stopped", message: "Something else was asked for." }),
+    breathe: () => Promise.reject({ code: "stopped", message: "Another picture was requested." }),
   };
   await expect(pictureTasks.picture(stopping, request)).rejects.toMatchObject({ code: "stopped" });
   expect(carving).toMatchObject({ carves: 1, carvesFreed: 1 });

@@ -7,6 +7,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { SliderField } from "#ui/controls/SliderField";
 import { Switch } from "#ui/controls/Switch";
 import type { SpaceBend } from "#wasm/api";
+import * as messages from "../messages";
 import { object } from "../shape/now";
 import { showWhole } from "../stage/actions";
 import { stageSize } from "../stage/state";
@@ -55,13 +56,10 @@ function Parts() {
 
 function Begin() {
   const box = room.value;
-  const name = object.value?.name ?? "The object";
+  const name = object.value?.name ?? messages.object;
   return (
-    <section class="stack" aria-label="Begin to bend">
-      <p class="hint">
-        A lattice of handles around {name}: pull one, and not only what is near it follows. Every part, at
-        every scale, answers in its own place.
-      </p>
+    <section class="stack" aria-label={messages.startToDeform}>
+      <p class="hint">{messages.latticeAround(name)}</p>
       <Button
         kind="primary"
         disabled={box === null}
@@ -73,7 +71,7 @@ function Begin() {
           if (changeSpace((space) => withBend(space, chosen.peek(), bent))) showAll();
         }}
       >
-        Bend it
+        {messages.deform}
       </Button>
     </section>
   );
@@ -98,16 +96,16 @@ function unit(box: Parameters<typeof sidesOf>[0]): [number, number, number] {
 function Lattice({ now }: { now: SpaceBend }) {
   const box = room.value;
   return (
-    <section class="stack" aria-label="Lattice">
+    <section class="stack" aria-label={messages.lattice}>
       <div class="section-head">
-        <h2>Lattice</h2>
+        <h2>{messages.lattice}</h2>
         <Button
           kind="quiet"
           icon="reset"
           disabled={isAtRest(now)}
           onClick={() => changeBend((before) => ({ ...before, moves: before.moves.map(() => [0, 0, 0]) }))}
         >
-          Put all back
+          {messages.resetAll}
         </Button>
       </div>
       <div class={css["bend-examples"]}>
@@ -124,12 +122,12 @@ function Lattice({ now }: { now: SpaceBend }) {
           </Button>
         ))}
       </div>
-      <p class="row-name">Handles along each axis</p>
+      <p class="row-name">{messages.handlesAlongEachAxis}</p>
       <div class={css["bend-numbers"]}>
         {(["x", "y", "z"] as const).map((name, axis) => (
           <NumberField
             key={name}
-            label={`Handles along ${name}`}
+            label={messages.handlesAlong(name)}
             symbol={name}
             value={now.sizes[axis] ?? LEAST_SIDE}
             min={LEAST_SIDE}
@@ -152,25 +150,27 @@ function Answer({ now }: { now: SpaceBend }) {
   const box = room.value;
   const deepest = box?.deepest ?? now.ke;
   return (
-    <section class="stack" aria-label="How the parts answer">
+    <section class="stack" aria-label={messages.howPartsRespond}>
       <div class="section-head">
-        <h2>How the parts answer</h2>
+        <h2>{messages.howPartsRespond}</h2>
       </div>
       <SliderField
-        label="Locality"
-        symbol="kb"
+        label={messages.locality}
+        symbol={messages.kb}
         value={now.kb}
         max={now.ke}
         step={0.1}
-        words={now.kb >= now.ke ? "plain" : `${formatNumber(now.kb, 1)} of ${formatNumber(now.ke, 1)}`}
-        ends={["scattered: every part answers", "plain"]}
+        words={
+          now.kb >= now.ke ? "plain" : messages.localityOf(formatNumber(now.kb, 1), formatNumber(now.ke, 1))
+        }
+        ends={[messages.scatteredEveryPartResponds, "plain"]}
         onChange={(next) => {
           changeBend((before) => withLocality(before, next), "bend kb");
         }}
       />
       <SliderField
-        label="Roughness"
-        symbol="δ"
+        label={messages.roughness}
+        symbol={messages.text}
         value={now.delta}
         max={MOST_ROUGHNESS}
         ends={["smooth", "rough"]}
@@ -179,30 +179,26 @@ function Answer({ now }: { now: SpaceBend }) {
         }}
       />
       <SliderField
-        label="Detail"
-        symbol="ke"
+        label={messages.detail}
+        symbol={messages.ke}
         value={Math.min(now.ke, deepest)}
         max={deepest}
         step={0.1}
-        words={`${formatNumber(Math.min(now.ke, deepest), 1)} scales`}
-        ends={["the whole", "the smallest parts"]}
+        words={messages.scales(formatNumber(Math.min(now.ke, deepest), 1))}
+        ends={[messages.fullShape, messages.smallestParts]}
         onChange={(next) => {
           changeBend((before) => withDetail(before, next), "bend ke");
         }}
       />
       <Switch
         checked={now.spin !== "none"}
-        description="Up in a part is what its map makes of up"
+        description={messages.upInPartWhat}
         onChange={(on) => changeBend((before) => ({ ...before, spin: on ? "orthogonal" : "none" }))}
       >
-        Displacements turn with the pieces
+        {messages.displacementsRotateWithPieces}
       </Switch>
       {box && (
-        <p class="hint">
-          {box.continuous
-            ? "Its pieces meet in corners: neighbours are kept together there, and nothing tears."
-            : "Its pieces share no corners that could hold them together: it is bent by the formula as it stands, and tears where codes of neighbours differ."}
-        </p>
+        <p class="hint">{box.continuous ? messages.piecesMeetInCorners : messages.piecesShareNoCorners}</p>
       )}
     </section>
   );
@@ -213,15 +209,15 @@ function Chosen({ now }: { now: SpaceBend }) {
   const by = now.moves[index];
   if (!by) return null;
   return (
-    <section class="stack" aria-label="Chosen handle">
+    <section class="stack" aria-label={messages.selectedHandle}>
       <div class="section-head">
-        <h2>{nameOf(now.sizes, index)}, moved by</h2>
+        <h2>{messages.movedBy(nameOf(now.sizes, index))}</h2>
       </div>
       <div class={css["bend-numbers"]}>
         {(["x", "y", "z"] as const).map((name, axis) => (
           <NumberField
             key={name}
-            label={`Moved along ${name}`}
+            label={messages.movedAlong(name)}
             symbol={name}
             value={by[axis] ?? 0}
             min={-FARTHEST}
@@ -238,23 +234,17 @@ function Chosen({ now }: { now: SpaceBend }) {
           />
         ))}
       </div>
-      <p class="hint">
-        In parts of the longest side of the lattice, along the axes of the object as it was made.
-      </p>
+      <p class="hint">{messages.inFractionsLongestSide}</p>
     </section>
   );
 }
 
 function Last({ now }: { now: SpaceBend }) {
   return (
-    <section class="stack" aria-label="The bend itself">
-      <p class="hint">
-        The maps, the shadow on a plane and a mesh for printing are those of the shape before it is bent.
-        {timeline.value !== null &&
-          " With a time line, where the handles are is a key of the moment; all else of the bend is so for all time."}
-      </p>
+    <section class="stack" aria-label={messages.deformation}>
+      <p class="hint">{timeline.value === null ? messages.undeformed : messages.undeformedKeyed}</p>
       <Button kind="quiet" icon="close" disabled={now === null} onClick={() => changeBend(() => null)}>
-        Not bent
+        {messages.removeDeformation}
       </Button>
     </section>
   );

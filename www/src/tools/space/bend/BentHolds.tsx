@@ -5,6 +5,7 @@ import { VerdictSign } from "#ui/shapes/VerdictSign";
 import type { Connectedness3, SpaceBend } from "#wasm/api";
 import { isStopped } from "#workers/lanes/latest";
 import { spaceTask } from "#workers/space/client";
+import * as messages from "../messages";
 import { made } from "../shape/now";
 import css from "./bend.module.css";
 import { foldedOf } from "./changes";
@@ -21,7 +22,7 @@ const folded = computed(() => {
   if (!now || !box) return null;
   const size = sizeOf(box);
   const [x, y, z] = sidesOf(box);
-  return foldedWords(foldedOf(now, [x / size, y / size, z / size]), "Put all back");
+  return foldedWords(foldedOf(now, [x / size, y / size, z / size]), messages.resetAll);
 });
 
 /** Whether the bent object is in one piece, as far as that follows from what it was before. */
@@ -50,7 +51,7 @@ export function BentHolds({ now }: { now: SpaceBend }) {
   const known = before.value?.of === of ? before.value.answer : null;
   const { tone, text, aside, why } = bentWords(known, now, box);
   return (
-    <section class="stack" aria-label="In one piece">
+    <section class="stack" aria-label={messages.inOnePiece}>
       <p class={css["bend-verdict"]} data-testid="bent-verdict">
         <VerdictSign tone={tone} />
         <strong>{text}</strong>
@@ -58,7 +59,7 @@ export function BentHolds({ now }: { now: SpaceBend }) {
       </p>
       {folded.value && <p class="hint">{folded.value}</p>}
       <details>
-        <summary>Why</summary>
+        <summary>{messages.why}</summary>
         <p class="hint">{why}</p>
       </details>
     </section>

@@ -2,6 +2,7 @@ import { computed } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { endGesture } from "#document/scene";
 import { useOwnId } from "#ui/id";
+import * as messages from "../messages";
 import { part } from "../part";
 import type { Pixel } from "../stage/camera";
 import { stageSize } from "../stage/state";
@@ -10,9 +11,7 @@ import { linesOf } from "./changes";
 import { handleId, handleKey } from "./keyboard";
 import { bend, handles, handleWords, lead, pull, take } from "./now";
 
-const HINT =
-  "Arrow keys move the handle in the plane of the picture, by four pixels, with Shift by forty; " +
-  "Page Up and Page Down move it away and nearer. The brackets go to the handle before and the next one, Delete puts it back.";
+const HINT = messages.arrowKeysMoveHandle + messages.pageUpAndPage;
 
 const lines = computed(() => {
   const now = bend.value;
@@ -47,7 +46,7 @@ export function BendHandles() {
         })}
       </svg>
       {/* biome-ignore lint/a11y/useSemanticElements: a fieldset is for forms */}
-      <div role="group" aria-label={`Lattice of ${now.sizes.join(" by ")} handles`}>
+      <div role="group" aria-label={messages.latticeOf(now.sizes.join(" by "))}>
         <p id={hint} class="unseen">
           {HINT}
         </p>

@@ -1,6 +1,7 @@
 /** What the panel and the handles do to a bend, as functions from bend to bend. Pure. */
 import { bernstein, foldedPart } from "#geometry/folds";
 import type { Point3, Space, SpaceBend } from "#wasm/api";
+import * as messages from "../messages";
 
 export const LEAST_SIDE = 2;
 export const MOST_SIDE = 6;
@@ -101,14 +102,14 @@ export interface Example {
 export const EXAMPLES: readonly Example[] = [
   {
     id: "corner",
-    label: "Lift a corner",
-    about: "One corner of the lattice is pulled out",
+    label: messages.liftCorner,
+    about: messages.oneCornerLatticePulled,
     move: ([x, y, z]) => (x === 1 && y === 1 && z === 1 ? [0.35, 0.25, 0.45] : [0, 0, 0]),
   },
   {
     id: "twist",
-    label: "Twist",
-    about: "Each layer is turned, the upper ones more",
+    label: messages.twist,
+    about: messages.eachLayerRotatedUpper,
     move: ([x, y, z]) => {
       const [c, s] = [Math.cos(1.2 * z), Math.sin(1.2 * z)];
       const [dx, dy] = [x - 0.5, y - 0.5];
@@ -117,14 +118,14 @@ export const EXAMPLES: readonly Example[] = [
   },
   {
     id: "lean",
-    label: "Lean",
-    about: "The upper layers go to the side",
+    label: messages.lean,
+    about: messages.upperLayersMoveTo,
     move: ([, , z]) => [0.5 * z * z, 0, -0.08 * z],
   },
   {
     id: "out",
-    label: "Swell",
-    about: "The middle of each face is pushed out",
+    label: messages.swell,
+    about: messages.centreEachFacePushed,
     move: ([x, y, z]) => {
       const by = (t: number, a: number, b: number) => 1.6 * (t - 0.5) * a * (1 - a) * b * (1 - b) * 4;
       return [by(x, y, z), by(y, x, z), by(z, x, y)];
@@ -132,8 +133,8 @@ export const EXAMPLES: readonly Example[] = [
   },
   {
     id: "inside-out",
-    label: "Inside out",
-    about: "Each control point goes to the opposite one",
+    label: messages.insideOut,
+    about: messages.eachControlPointMoves,
     move: ([x, y, z]) => [1 - 2 * x, 1 - 2 * y, 1 - 2 * z],
   },
 ];
@@ -164,5 +165,5 @@ function within(x: number, low: number, high: number): number {
 export function nameOf(sizes: SpaceBend["sizes"], i: number): string {
   const [columns, rows] = sizes;
   const at = [i % columns, Math.floor(i / columns) % rows, Math.floor(i / (columns * rows))];
-  return `Handle ${at.map((k) => k + 1).join(", ")}`;
+  return messages.handle(at.map((k) => k + 1).join(", "));
 }

@@ -1,20 +1,17 @@
 /** Whether a bent shape is in one piece, from what is known of it before it is bent. */
 import { type Told, type VerdictWords, verdictWords } from "#format/verdict";
 import type { BendRoom3, SpaceBend } from "#wasm/api";
+import * as messages from "../messages";
 
 export interface BentWords extends VerdictWords {
   why: string;
 }
 
-const IMAGE =
-  "A continuous image of a connected shape is connected (so the verdict goes along with the bend, and needs no search of its own).";
-const CORNERS =
-  "Every term of this bend is averaged where cells of neighbouring pieces share corners, and goes on between them without a jump, so that the whole of it is continuous; corners count as shared where they agree to a billionth of the shape’s size.";
-const PLAIN = "With nothing shuffled the bend is a polynomial of the place, and so continuous.";
-const TORN =
-  "Where pieces meet, a point has several addresses, and the shuffle of letters takes each of them to a place of its own: the shape is torn there unless these agree. To hold it together everywhere is what Fujimoto and others call a connected IST and leave open; Frond does where pieces meet in corners. With the locality as large as the detail, or no roughness, nothing is shuffled, and nothing tears.";
-const ONE_TO_ONE =
-  "Its lattice moves no two points further towards each other than part of the way between them, so that the bend takes no two points to one: it joins nothing, and the verdict goes along with it both ways.";
+const IMAGE = messages.continuousImageConnectedShape;
+const CORNERS = messages.everyTermThisDeformation;
+const PLAIN = messages.withoutShufflingDeformationPolynomial;
+const TORN = messages.wherePiecesMeetPoint;
+const ONE_TO_ONE = messages.latticeMovesNoTwo;
 
 /** What says how a shape is bent. */
 export type Bending = Pick<SpaceBend, "sizes" | "moves" | "kb" | "ke" | "delta" | "spin">;
@@ -65,38 +62,43 @@ export function isOneToOne({ sizes, moves }: Bending, { min, max }: Pick<BendRoo
 export function bentWords(before: Told | null, bend: Bending, room: BendRoom3): BentWords {
   const words = verdictWords(before);
   if (bend.moves.every((by) => by.every((x) => x === 0))) {
-    return { ...words, why: "Its lattice is at rest: it is the shape as it was made." };
+    return { ...words, why: messages.latticeAtRestSo };
   }
   if (isShift(bend)) {
-    return { ...words, why: "All of its lattice is moved alike: it is the shape as it was made, elsewhere." };
+    return { ...words, why: messages.allLatticeMovesAlike };
   }
   const plain = isPlain(bend, room.deepest);
   if (!room.continuous && !plain) {
-    return { tone: "unknown", text: "Not known", aside: "codes may tear it", why: TORN };
+    return { tone: "unknown", text: messages.notKnown, aside: messages.codesMayTear, why: TORN };
   }
   const whole = plain ? PLAIN : CORNERS;
   switch (before?.verdict) {
     case "connected":
       return {
         tone: "whole",
-        text: "In one piece",
-        aside: "as before it was bent",
+        text: messages.inOnePiece,
+        aside: messages.asWithoutDeformation,
         why: `${whole} ${IMAGE}`,
       };
     case "touching":
       return {
         ...words,
-        aside: "before it was bent; it tears nothing",
-        why: `${whole} Whether the shape is in one piece was not proved before it was bent, so it is not now.`,
+        aside: messages.withoutDeformationTearsNothing,
+        why: messages.notProvedBefore(whole),
       };
     case "disconnected":
       return plain && isOneToOne(bend, room)
-        ? { tone: "broken", text: words.text, aside: "as before it was bent", why: `${PLAIN} ${ONE_TO_ONE}` }
+        ? {
+            tone: "broken",
+            text: words.text,
+            aside: messages.asWithoutDeformation,
+            why: `${PLAIN} ${ONE_TO_ONE}`,
+          }
         : {
             tone: "unknown",
-            text: "Not known",
-            aside: "in pieces before, which a fold may join",
-            why: `${whole} It tears nothing more, but where it folds the shape over, pieces that were apart may meet.`,
+            text: messages.notKnown,
+            aside: messages.inPiecesWhenUndeformed,
+            why: messages.foldMayJoin(whole),
           };
     default:
       return { ...words, why: whole };

@@ -5,6 +5,7 @@ import { chosen, keepView, spacePlaying, spaceView } from "#document/space/space
 import { apply3, turned } from "#geometry/maps/affine3";
 import type { BendRoom3, MapRow3, Point3, SpaceBend } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../messages";
 import { made, moved } from "../shape/now";
 import { type Pixel, projected, shiftByHand } from "../stage/camera";
 import { stageSize } from "../stage/state";
@@ -127,9 +128,9 @@ export function push(index: number, part: number, gesture: string): void {
 export function handleWords(index: number): string {
   const now = bend.value;
   const by = now?.moves[index];
-  if (!now || !by) return "Handle";
+  if (!now || !by) return messages.handle2;
   const parts = by.map((x) => `${Math.round(1000 * x) / 10}`.replace("-", "−"));
-  return `${nameOf(now.sizes, index)}, moved by ${parts.join(", ")} percent`;
+  return messages.handleMovedBy(nameOf(now.sizes, index), parts.join(", "));
 }
 
 export function tell(index: number): void {

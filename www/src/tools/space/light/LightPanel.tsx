@@ -10,6 +10,7 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { Fold } from "#ui/panel/Fold";
 import type { SpaceLight } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../messages";
 import shapeCss from "../shape/shape.module.css";
 import { ground } from "../stage/sight";
 import { type Choice, choiceOf, chosenBackground } from "./background";
@@ -20,8 +21,8 @@ import { degrees, frontWords, radians, shareWords, sideWords } from "./words";
 const light = computed(() => space.value?.light ?? null);
 
 const PAINTS = [
-  { value: "map", label: "By map", description: "Each map has its colour" },
-  { value: "height", label: "By height", description: "From the lowest point to the highest" },
+  { value: "map", label: messages.byMap, description: messages.eachMapHasOwn },
+  { value: "height", label: messages.byHeight, description: messages.fromLowestPointTo },
 ] as const;
 
 /** How space is lit and coloured, and where it is seen from. */
@@ -45,28 +46,29 @@ function Light() {
   const now = light.value;
   if (!now) return null;
   return (
-    <section class={`${lightCss["light-panel"]} stack`} aria-label="Light and colour">
+    <section class={`${lightCss["light-panel"]} stack`} aria-label={messages.lightAndColour}>
       <div class="section-head">
-        <h2>Light and colour</h2>
+        <h2>{messages.lightAndColour}</h2>
         <Button
           kind="quiet"
           icon="reset"
-          description="Light and colours as at first"
+          description={messages.resetLightAndColours}
           onClick={() => changeSpace((all) => ({ ...all, light: solid.defaultSpace().light }))}
         >
-          Reset<span class="unseen"> light and colours</span>
+          {messages.reset}
+          <span class="unseen">{messages.lightAndColours}</span>
         </Button>
       </div>
       <ChoiceRow
-        label="Colour"
-        name="What colours the picture"
+        label={messages.colour}
+        name={messages.colourSource}
         options={PAINTS}
         value={now.paint}
         onChange={(paint) => changeSpace((all) => ({ ...all, light: { ...all.light, paint } }))}
       />
       <SliderField
         digits={0}
-        label="Light comes from"
+        label={messages.lightDirection}
         value={degrees(now.side)}
         min={-180}
         max={180}
@@ -78,31 +80,31 @@ function Light() {
       />
       <SliderField
         digits={2}
-        label="Light from the front"
+        label={messages.frontalLight}
         value={now.front}
         words={frontWords(now.front)}
-        ends={["grazing", "from the eye"]}
+        ends={["grazing", messages.fromViewer]}
         onChange={(front) => change({ front })}
       />
       <SliderField
         digits={2}
-        label="Light from everywhere"
+        label={messages.ambientLight}
         value={now.ambient}
-        words={shareWords(now.ambient, "shadows are black")}
+        words={shareWords(now.ambient, messages.shadowsBlack)}
         onChange={(ambient) => change({ ambient })}
       />
       <SliderField
         digits={2}
-        label="Dark hollows"
+        label={messages.ambientOcclusion}
         value={now.hollows}
-        words={shareWords(now.hollows, "hollows are not darkened")}
+        words={shareWords(now.hollows, messages.none)}
         onChange={(hollows) => change({ hollows })}
       />
       <SliderField
         digits={2}
-        label="Fog"
+        label={messages.fog}
         value={now.fog}
-        words={shareWords(now.fog, "no fog")}
+        words={shareWords(now.fog, messages.noFog)}
         onChange={(fog) => change({ fog })}
       />
       <Finish now={now} />
@@ -113,7 +115,7 @@ function Light() {
 /** What is seen at rest, and what surfaces are like. */
 function Finish({ now }: { now: SpaceLight }) {
   return (
-    <Fold title="Shadows and material">
+    <Fold title={messages.shadowsAndMaterial}>
       <div class="stack">
         {FINISH.map(({ part, label, none, ends }) => (
           <SliderField
@@ -128,37 +130,42 @@ function Finish({ now }: { now: SpaceLight }) {
         ))}
         <Switch
           checked={now.filmic ?? false}
-          description="Bright tones are compressed, as on film, and not cut off"
+          description={messages.compressesBrightTonesAs}
           onChange={(filmic) => changeSpace((all) => ({ ...all, light: { ...all.light, filmic } }))}
         >
-          Filmic tones
+          {messages.filmicTones}
         </Switch>
-        <p class="hint">Shadows and ambient occlusion come when the picture rests.</p>
+        <p class="hint">{messages.shadowsAndAmbientOcclusion}</p>
       </div>
     </Fold>
   );
 }
 
 const FINISH = [
-  { part: "shadows", label: "Shadows", none: "no shadows are cast", ends: undefined },
-  { part: "softness", label: "Softness of shadows", none: "sharp edges", ends: ["sharp", "soft"] },
-  { part: "occlusion", label: "Ambient occlusion", none: "none", ends: undefined },
-  { part: "sky", label: "Sky light", none: "white from everywhere", ends: ["white", "blue sky, warm sun"] },
-  { part: "gloss", label: "Gloss", none: "rough", ends: ["rough", "glossy"] },
+  { part: "shadows", label: messages.shadows, none: messages.noShadowsCast, ends: undefined },
+  { part: "softness", label: messages.softnessShadows, none: messages.sharpEdges, ends: ["sharp", "soft"] },
+  { part: "occlusion", label: messages.ambientOcclusion, none: "none", ends: undefined },
+  {
+    part: "sky",
+    label: messages.skyLight,
+    none: messages.uniformWhiteLight,
+    ends: ["white", messages.blueSkyWarmSun],
+  },
+  { part: "gloss", label: messages.gloss, none: "rough", ends: ["rough", "glossy"] },
 ] as const;
 
 const BACKGROUNDS: { value: Choice; label: string; description: string }[] = [
-  { value: "paper", label: "Light", description: "Like light paper" },
-  { value: "night", label: "Dark", description: "Like the night" },
-  { value: "own", label: "Own", description: "A colour of your own" },
-  { value: "page", label: "Page", description: "That of the page of whoever looks" },
+  { value: "paper", label: messages.light, description: messages.likeLightPaper },
+  { value: "night", label: messages.dark, description: messages.likeNight },
+  { value: "own", label: messages.custom, description: messages.yourOwnColour },
+  { value: "page", label: messages.page, description: messages.backgroundViewersPage },
 ];
 
 const ABOUT: Record<Choice, string> = {
-  paper: "It is part of the picture: of its link, and of what is saved.",
-  night: "It is part of the picture: of its link, and of what is saved.",
-  own: "It is part of the picture: of its link, and of what is saved.",
-  page: "Whoever opens the link sees it before the colour of their page, light or dark. A saved PNG is clear there; a film has the colour of this page.",
+  paper: messages.partPictureLinkAnd,
+  night: messages.partPictureLinkAnd,
+  own: messages.partPictureLinkAnd,
+  page: messages.anyoneWithLinkSees,
 };
 
 /** What it is seen before. */
@@ -169,14 +176,14 @@ function Background() {
   const set = (background: string, gesture?: string) =>
     changeSpace((all) => ({ ...all, background }), gesture === undefined ? {} : { gesture });
   return (
-    <section class={`${lightCss["light-panel"]} stack`} aria-label="Background">
+    <section class={`${lightCss["light-panel"]} stack`} aria-label={messages.background}>
       <div class="section-head">
-        <h2>Background</h2>
+        <h2>{messages.background}</h2>
         {choice === "own" && (
           <input
             type="color"
             class={shapeCss["solid-tint"]}
-            aria-label="Colour of the background"
+            aria-label={messages.backgroundColour}
             value={ground.value}
             onInput={(event) => set(event.currentTarget.value, "space-background")}
             onChange={endGesture}
@@ -184,7 +191,7 @@ function Background() {
         )}
       </div>
       <Segmented
-        label="What the picture is seen before"
+        label={messages.background}
         options={BACKGROUNDS}
         value={choice}
         onChange={(next) => set(chosenBackground(next, ground.peek()))}

@@ -6,6 +6,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { SliderField } from "#ui/controls/SliderField";
 import { Switch } from "#ui/controls/Switch";
 import type { Point3, SpaceView } from "#wasm/api";
+import * as messages from "../messages";
 import { changeView, holdEye } from "../stage/actions";
 import { eyeOf, LEAST_ANGLE, MOST_ANGLE, withAngle, wrapped } from "../stage/camera";
 import css from "./light.module.css";
@@ -15,8 +16,8 @@ const AXES = ["x", "y", "z"] as const;
 const eye = computed(() => (spaceView.value ? pointWords(eyeOf(spaceView.value)) : ""));
 
 const ANGLES = [
-  { angle: "turn", label: "Turned to the side" },
-  { angle: "tilt", label: "Tilted upwards" },
+  { angle: "turn", label: messages.rotationToSide },
+  { angle: "tilt", label: messages.tiltUpwards },
 ] as const;
 
 /** Where it is seen from, in numbers. To look is nothing to undo. */
@@ -27,31 +28,32 @@ export function ViewPanel() {
   const problems = { id: "space-view-problem", tell: setProblem };
   const set = (part: Partial<SpaceView>) => changeView((now) => ({ ...now, ...part }));
   return (
-    <section class={`${css["light-panel"]} stack`} aria-label="View">
+    <section class={`${css["light-panel"]} stack`} aria-label={messages.view}>
       <div class="section-head">
-        <h2>View</h2>
-        <Button kind="quiet" icon="reset" description="The view as at first" onClick={() => setView(null)}>
-          Reset<span class="unseen"> the view</span>
+        <h2>{messages.view}</h2>
+        <Button kind="quiet" icon="reset" description={messages.resetView} onClick={() => setView(null)}>
+          {messages.reset}
+          <span class="unseen">{messages.theView}</span>
         </Button>
       </div>
       <SliderField
         digits={0}
-        label="Angle of view"
+        label={messages.angleView}
         value={degrees(view.angle)}
         min={degrees(LEAST_ANGLE)}
         max={degrees(MOST_ANGLE)}
         step={1}
         unit="°"
-        words={`${Math.round(degrees(view.angle))} degrees from top to bottom`}
-        ends={["far and flat", "near and wide"]}
+        words={messages.degreesHigh(Math.round(degrees(view.angle)))}
+        ends={[messages.farAndFlat, messages.nearAndWide]}
         onChange={(angle) => changeView((now) => withAngle(now, radians(angle)))}
       />
       <fieldset class={css["view-numbers"]}>
-        <legend>Looks at</legend>
+        <legend>{messages.looksAt}</legend>
         {AXES.map((axis, i) => (
           <NumberField
             key={axis}
-            label={`Looks at, ${axis}`}
+            label={messages.looksAtOf(axis)}
             symbol={axis}
             terse
             value={view.target[i] ?? 0}
@@ -67,9 +69,9 @@ export function ViewPanel() {
         ))}
       </fieldset>
       <fieldset class={css["view-numbers"]}>
-        <legend>From</legend>
+        <legend>{messages.from}</legend>
         <NumberField
-          label="Distance"
+          label={messages.distance}
           symbol="r"
           terse
           value={view.distance}
@@ -96,7 +98,7 @@ export function ViewPanel() {
         ))}
       </fieldset>
       <p class="hint number" data-testid="space-eye">
-        The eye is at {eye.value}
+        {messages.eyeAt(eye.value)}
       </p>
       {problem !== null && (
         <p class="field-problem" id={problems.id} role="alert">
@@ -105,10 +107,10 @@ export function ViewPanel() {
       )}
       <Switch
         checked={view.holds === "eye"}
-        description="Drags turn the head; else they go around what is looked at"
+        description={messages.draggingTurnsHeadOtherwise}
         onChange={holdEye}
       >
-        The eye stays when the view turns
+        {messages.keepEyeInPlace}
       </Switch>
     </section>
   );

@@ -11,8 +11,8 @@ test("it says where the light comes from", () => {
 
 test("it says how far it stands before the picture", () => {
   expect(frontWords(0)).toBe("grazing");
-  expect(frontWords(0.5)).toBe("50 % on the eye's side");
-  expect(frontWords(1)).toBe("from the eye");
+  expect(frontWords(0.5)).toBe("50 % on the viewer’s side");
+  expect(frontWords(1)).toBe("from the viewer");
 });
 
 test("numbers come out as they went in", () => {

@@ -2,6 +2,7 @@
 
 import { formatNumber } from "#format/numbers";
 import type { Point3 } from "#wasm/api";
+import * as messages from "../messages";
 
 const DEGREE = Math.PI / 180;
 
@@ -11,20 +12,20 @@ export const radians = (degrees: number): number => degrees * DEGREE;
 /** Where the light comes from, as the eye has it. */
 export function sideWords(side: number): string {
   const d = Math.round(degrees(side));
-  if (Math.abs(d) < 5) return "from above";
-  if (Math.abs(d) > 175) return "from below";
+  if (Math.abs(d) < 5) return messages.fromAbove;
+  if (Math.abs(d) > 175) return messages.fromBelow;
   const way = d > 0 ? "right" : "left";
   const at = Math.abs(d);
-  if (at < 60) return `from above, ${at}° to the ${way}`;
-  if (at <= 120) return `from the ${way}`;
-  return `from below, ${180 - at}° to the ${way}`;
+  if (at < 60) return messages.fromAboveOf(at, way);
+  if (at <= 120) return messages.fromSide(way);
+  return messages.fromBelowOf(180 - at, way);
 }
 
 /** How far the light stands on the eye's side. */
 export function frontWords(front: number): string {
   if (front < 0.15) return "grazing";
-  if (front > 0.85) return "from the eye";
-  return `${Math.round(100 * front)} % on the eye's side`;
+  if (front > 0.85) return messages.fromViewer;
+  return messages.frontPercent(Math.round(100 * front));
 }
 
 export function shareWords(share: number, none: string): string {

@@ -14,6 +14,7 @@ import { solid } from "#wasm/space";
 import { spaceTask } from "#workers/space/client";
 import type { Shown } from "#workers/space/complete-picture";
 import type { MeshMeasured } from "#workers/space/mesh";
+import * as messages from "../messages";
 import { colours, sight } from "../stage/sight";
 import css from "./mesh.module.css";
 import {
@@ -40,12 +41,12 @@ const plan = signal<MeshPlan>({ format: "stl", fineness: 128, size: 100, wall: 2
 const running = signal<{ done: number; stop: AbortController } | null>(null);
 
 const FORMATS: readonly Option<MeshFormat>[] = [
-  { value: "stl", label: "STL", description: "For 3-D printers: triangles alone, in millimetres" },
-  { value: "ply", label: "PLY", description: "With colours and normals, in millimetres" },
+  { value: "stl", label: "STL", description: messages.for3DPrinters },
+  { value: "ply", label: "PLY", description: messages.withColoursAndNormals },
   {
     value: "glb",
     label: "glTF",
-    description: "For pages and scenes (.glb): with colours and a material, in metres",
+    description: messages.forPagesAndScenes,
   },
 ];
 const TYPES: Record<MeshFormat, string> = {
@@ -63,12 +64,8 @@ const close = () => {
 export function MeshDialog() {
   const [objects] = useState(() => sight.peek()?.objects ?? null);
   return (
-    <Dialog
-      title="Mesh for 3-D printing"
-      about="What is on the stage at this moment, as one watertight surface. Every piece is followed until it is smaller than a sample."
-      onClose={close}
-    >
-      {objects ? <Choices objects={objects} /> : <p class="hint">There is nothing to be seen yet.</p>}
+    <Dialog title={messages.meshFor3D} about={messages.stageAtThisMoment} onClose={close}>
+      {objects ? <Choices objects={objects} /> : <p class="hint">{messages.thereNothingToExport}</p>}
     </Dialog>
   );
 }
@@ -81,7 +78,7 @@ function Choices({ objects }: { objects: Shown[] }) {
   return (
     <div class={css["mesh-sheet"]}>
       <Segmented
-        label="Kind of file"
+        label={messages.format}
         value={format}
         options={FORMATS}
         onChange={(next) => change({ format: next })}
@@ -89,7 +86,7 @@ function Choices({ objects }: { objects: Shown[] }) {
       <p class="hint">{FORMATS.find(({ value }) => value === format)?.description}.</p>
       <div class={css["mesh-measures"]}>
         <NumberField
-          label="Longest side"
+          label={messages.longestSide}
           unit="mm"
           value={size}
           min={1}
@@ -99,7 +96,7 @@ function Choices({ objects }: { objects: Shown[] }) {
           onChange={(next) => change({ size: next })}
         />
         <NumberField
-          label="Thinnest wall"
+          label={messages.thinnestWall}
           unit="mm"
           value={wall}
           min={0}
@@ -109,7 +106,7 @@ function Choices({ objects }: { objects: Shown[] }) {
           onChange={(next) => change({ wall: next })}
         />
         <NumberField
-          label="Fineness"
+          label={messages.resolution}
           value={fineness}
           min={LEAST_FINENESS}
           max={MOST_FINENESS}
@@ -118,15 +115,13 @@ function Choices({ objects }: { objects: Shown[] }) {
           onChange={(next) => change({ fineness: Math.round(next) })}
         />
       </div>
-      <p class="hint">
-        Fineness is the number of samples along the longest side: the higher, the deeper the detail. What is
-        thinner than the wall, such as a curve or a sheet, is made as thick. Hollows that nothing leads into
-        are filled.
-      </p>
+      <p class="hint">{messages.resolutionNumberSamplesAlong}</p>
       <div class={css["mesh-told"]} role="status">
         {problem === null ? (
           <>
-            <p class="number">{foretold ? meshWords(foretold, bytesOf(format, foretold)) : "Measuring …"}</p>
+            <p class="number">
+              {foretold ? meshWords(foretold, bytesOf(format, foretold)) : messages.measuring}
+            </p>
             {foretold &&
               adviceOf(plan.value, foretold).map((words) => (
                 <p key={words} class="hint">
@@ -139,11 +134,9 @@ function Choices({ objects }: { objects: Shown[] }) {
         )}
       </div>
       <footer class={css["mesh-foot"]}>
-        {now && (
-          <progress class="progress" max={1} value={now.done} aria-label="Part of the mesh that is made" />
-        )}
+        {now && <progress class="progress" max={1} value={now.done} aria-label={messages.progressMesh} />}
         {now ? (
-          <Button onClick={() => now.stop.abort()}>Cancel</Button>
+          <Button onClick={() => now.stop.abort()}>{messages.cancel}</Button>
         ) : (
           <Button
             kind="primary"
@@ -151,7 +144,7 @@ function Choices({ objects }: { objects: Shown[] }) {
             disabled={problem !== null || !foretold}
             onClick={() => foretold && void save(objects, plan.peek(), foretold)}
           >
-            Save the mesh
+            {messages.saveMesh}
           </Button>
         )}
       </footer>
@@ -218,7 +211,7 @@ async function save(objects: Shown[], { format, ...options }: MeshPlan, { found 
     exportOpen.value = null;
   } catch (problem) {
     if (!stop.signal.aborted) {
-      notify({ kind: "error", text: `The mesh could not be saved: ${wordsOf(problem)}` });
+      notify({ kind: "error", text: messages.meshNotSaved(wordsOf(problem)) });
     }
   } finally {
     running.value = null;

@@ -51,8 +51,8 @@ describe("what a mesh will be", () => {
     expect(adviceOf(PLAN, told)).toEqual([]);
     expect(wallOf({ ...PLAN, fineness: 100 })).toBe(3);
     expect(adviceOf({ ...PLAN, fineness: 100 }, { ...told, parts: 8 })).toEqual([
-      "At this fineness the walls are 3 mm thick. A higher one makes thinner walls.",
-      "It is in 8 parts that do not hold together. Thicker walls may join them.",
+      "At this resolution the walls are 3 mm thick. A higher resolution makes thinner walls.",
+      "The mesh is in 8 separate parts. Thicker walls may join them.",
     ]);
   });
 });

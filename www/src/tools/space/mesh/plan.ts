@@ -3,6 +3,7 @@ import { bytesWords } from "#film/plan";
 import { formatNumber } from "#format/numbers";
 import type { MeshFacts, MeshFormat, MeshOptions } from "#wasm/api";
 import type { MeshMeasured } from "#workers/space/mesh";
+import * as messages from "../messages";
 
 export interface MeshPlan extends Required<MeshOptions> {
   format: MeshFormat;
@@ -58,10 +59,10 @@ export function meshProblem({ fineness, size }: MeshPlan, foretold: Foretold | n
   const samples = foretold.size.reduce((count, side) => count * (side / step + 5), 1);
   if (samples > MOST_SAMPLES) {
     const most = Math.floor(0.98 * fineness * Math.cbrt(MOST_SAMPLES / samples));
-    return `That takes more memory than there is. Choose a fineness of ${most} or less.`;
+    return messages.tooMuchMemory(most);
   }
   if (foretold.triangles > MOST_TRIANGLES) {
-    return `That would be about ${million(foretold.triangles)} triangles, and the most is 6 million. Choose a lower fineness, or thicker walls.`;
+    return messages.tooManyTriangles(million(foretold.triangles));
   }
   return null;
 }
@@ -69,7 +70,7 @@ export function meshProblem({ fineness, size }: MeshPlan, foretold: Foretold | n
 export function meshWords({ triangles, size, exact }: Foretold, bytes: number): string {
   const sides = size.map((side) => formatNumber(side, side < 10 ? 1 : 0)).join(" × ");
   const about = exact ? "" : "about ";
-  return `${sides} mm · ${about}${million(triangles)} triangles · ${about}${bytesWords(bytes)}`;
+  return messages.meshSize(sides, about, million(triangles), about, bytesWords(bytes));
 }
 
 /** What there is to know before it is printed. */
@@ -77,17 +78,15 @@ export function adviceOf(plan: MeshPlan, { parts }: Foretold): string[] {
   const advice: string[] = [];
   const wall = wallOf(plan);
   if (wall > plan.wall * 1.001) {
-    advice.push(
-      `At this fineness the walls are ${formatNumber(wall, 2)} mm thick. A higher one makes thinner walls.`,
-    );
+    advice.push(messages.wallsAre(formatNumber(wall, 2)));
   }
   if (parts > 1) {
-    advice.push(`It is in ${parts} parts that do not hold together. Thicker walls may join them.`);
+    advice.push(messages.inParts(parts));
   }
   return advice;
 }
 
 function million(count: number): string {
-  if (count >= 1e6) return `${formatNumber(count / 1e6, 1)} million`;
+  if (count >= 1e6) return messages.million(formatNumber(count / 1e6, 1));
   return count >= 1e4 ? `${formatNumber(count / 1000, 0)} 000` : formatNumber(count, 0);
 }

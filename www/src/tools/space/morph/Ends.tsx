@@ -9,6 +9,7 @@ import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Shape3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../messages";
 import { Gallery } from "../shape/object/Gallery";
 import { presets } from "../shape/object/presets";
 import { makePictures, pictures } from "../shape/object/thumbs";
@@ -33,7 +34,7 @@ export function Ends() {
   }, [name, maps, goalName, goal]);
   if (!a) return null;
   return (
-    <section class={endsCss["ends"]} aria-label="The two shapes">
+    <section class={endsCss["ends"]} aria-label={messages.twoShapes}>
       <Card
         end="a"
         shape={a}
@@ -47,7 +48,7 @@ export function Ends() {
         onSwap={() => {
           changeSpace(swapped);
           const now = space.peek();
-          announce(`Swapped: from ${now?.objects[0]?.name} to ${now?.morph?.to.name}.`);
+          announce(messages.swapped(now?.objects[0]?.name ?? "", now?.morph?.to.name ?? ""));
         }}
       />
       {b ? (
@@ -62,7 +63,7 @@ export function Ends() {
           <span class={endsCss["card-end"]} aria-hidden="true">
             B
           </span>
-          <span>Choose a shape …</span>
+          <span>{messages.chooseShape}</span>
         </button>
       )}
       {open === "a" && <Gallery how="instead" onClose={() => setOpen(null)} />}
@@ -72,7 +73,7 @@ export function Ends() {
 }
 
 function Card({ end, shape, onOpen }: { end: "a" | "b"; shape: Shape3; onOpen: () => void }) {
-  const note = `${mapsNote(shape)}${shape.preset === undefined ? ", its own" : ""}`;
+  const note = `${mapsNote(shape)}${shape.preset === undefined ? messages.custom2 : ""}`;
   return (
     <EndCard
       end={end}
@@ -96,7 +97,7 @@ function Goals({ onClose }: { onClose: () => void }) {
   return (
     <Dialog
       wide
-      title="Shape B"
+      title={messages.shapeB}
       about={missingWords(first.maps.length, presets(), first.name)}
       onClose={onClose}
     >
@@ -122,7 +123,7 @@ export function lead(to: Shape3): void {
       return leadingTo(now, to, solid.correspondence3(from, to.maps));
     });
     choose(0);
-    announce(`The first object becomes ${to.name}.`);
+    announce(messages.firstBecomes(to.name));
   } catch (problem) {
     notify({ kind: "error", text: wordsOf(problem) });
   }

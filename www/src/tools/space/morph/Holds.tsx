@@ -1,6 +1,7 @@
 import { reasonWords } from "#format/reason";
 import { verdictWords } from "#format/verdict";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
+import * as messages from "../messages";
 import css from "./morph3.module.css";
 import { judged } from "./work";
 
@@ -18,7 +19,7 @@ export function Holds() {
       </p>
       {reason && (
         <details class={css["morph3-why"]}>
-          <summary>Why</summary>
+          <summary>{messages.why}</summary>
           <p class="hint">{reasonWords(reason)}</p>
         </details>
       )}

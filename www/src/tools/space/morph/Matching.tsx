@@ -6,13 +6,14 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { Fold } from "#ui/panel/Fold";
 import { HalfTurns } from "#ui/panel/HalfTurns";
 import type { Mode } from "#wasm/api";
+import * as messages from "../messages";
 import { exchanged, flatPairs, inOrder, orderNow, turnedFurther, withMode, withOrder } from "./changes";
 import css from "./morph3.module.css";
 import { from, halfTurns, morph, nearest } from "./work";
 
 const MODES: readonly { value: Mode; label: string; description: string }[] = [
-  { value: "polar", label: "Turned", description: "Polar: turns and stretches of each map go by themselves" },
-  { value: "linear", label: "Number by number", description: "Linear: maps may collapse on the way" },
+  { value: "polar", label: messages.byRotation, description: messages.polarRotationsAndStretches },
+  { value: "linear", label: messages.entryByEntry, description: messages.linearMapsMayFlattened },
 ];
 
 /** How maps become maps: which becomes which, and by what way. */
@@ -27,33 +28,31 @@ export function Matching() {
   const kind = isNearest ? "nearest" : inOrder(order) ? "order" : "own";
   const flat = now.mode === "linear" ? [] : flatPairs(maps, goal, order);
   return (
-    <section class={css["morph3-part"]} aria-label="How maps become maps">
+    <section class={css["morph3-part"]} aria-label={messages.howMapsBecomeMaps}>
       <ChoiceRow
-        label="Maps go"
-        name="How maps go"
+        label={messages.blendMaps}
+        name={messages.blendMaps}
         value={now.mode ?? "polar"}
         options={MODES}
         onChange={(mode) => changeSpace((before) => withMode(before, mode))}
       />
       <ChoiceRow
-        label="Each becomes"
-        name="Which map each becomes"
+        label={messages.pairing}
+        name={messages.pairEach}
         value={kind}
         options={[
           {
             value: "nearest",
-            label: "the nearest",
-            description: "Pieces travel, turn and stretch least in all",
+            label: messages.nearest,
+            description: messages.piecesTravelRotateAnd,
           },
           {
             value: "order",
-            label: "by number",
-            description: inOrder(closest)
-              ? "Here these are the nearest, too"
-              : "The first the first, and so on",
+            label: messages.byNumber,
+            description: inOrder(closest) ? messages.hereThisAlsoNearest : messages.firstBecomesFirstAnd,
             disabled: inOrder(closest),
           },
-          ...(kind === "own" ? [{ value: "own", label: "as chosen" } as const] : []),
+          ...(kind === "own" ? [{ value: "own", label: messages.custom3 } as const] : []),
         ]}
         onChange={(next) => {
           if (next === "own") return;
@@ -61,12 +60,7 @@ export function Matching() {
           changeSpace((before) => withOrder(before, list));
         }}
       />
-      {flat.length > 0 && (
-        <p class="notes">
-          {flat.length === 1 ? `Map ${flat[0]} reflects` : `Maps ${flat.join(", ")} reflect`} at one end only:
-          on the way {flat.length === 1 ? "it" : "they"} must become flat.
-        </p>
-      )}
+      {flat.length > 0 && <p class="notes">{messages.reflects(flat)}</p>}
       {halfTurns.value.some((turn) => turn !== 0) && (
         <div class="notes">
           <HalfTurns
@@ -75,13 +69,13 @@ export function Matching() {
           />
         </div>
       )}
-      <Fold title="Map by map" now={matchWords(order, [])}>
+      <Fold title={messages.mapByMap} now={matchWords(order, [])}>
         <ol class={css["morph3-order"]}>
           {order.map((to, i) => (
             // Maps have no name but their number.
             <li key={i}>
               <label>
-                <span>Map {i + 1} becomes</span>
+                <span>{messages.mapBecomes(i + 1)}</span>
                 <Select
                   value={String(to)}
                   onChange={(event) => {
@@ -99,7 +93,7 @@ export function Matching() {
             </li>
           ))}
         </ol>
-        <p class="hint">Two that change partners do so with each other.</p>
+        <p class="hint">{messages.ifTwoMapsChange}</p>
       </Fold>
     </section>
   );
@@ -109,7 +103,5 @@ export function Matching() {
 export function othersWords(): string {
   const count = (space.value?.objects.length ?? 1) - 1;
   if (count < 1) return "";
-  return count === 1
-    ? "The other object stays what it is."
-    : `The other ${count} objects stay what they are.`;
+  return count === 1 ? messages.otherObjectStaysAs : messages.othersStay(count);
 }

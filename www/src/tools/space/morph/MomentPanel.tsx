@@ -6,6 +6,7 @@ import { IconButton } from "#ui/controls/Button";
 import { Slider } from "#ui/controls/Slider";
 import { SliderBreaks } from "#ui/controls/SliderMarks";
 import { PercentField } from "#ui/strip/PercentField";
+import * as messages from "../messages";
 import { Holds } from "./Holds";
 import css from "./morph3.module.css";
 import { morphPlaying, pause, play } from "./play";
@@ -19,17 +20,17 @@ export function MomentPanel() {
   const on = morphPlaying.value;
   const [u, v] = uv.value;
   return (
-    <section class={css["morph3-part"]} aria-label="Where along the path">
+    <section class={css["morph3-part"]} aria-label={messages.positionOnPath}>
       <div class={css["morph3-time"]}>
         <IconButton
           class="play"
           icon={on ? "pause" : "play"}
-          label={on ? "Pause the morph" : "Play the morph"}
+          label={on ? messages.pauseMorph : messages.playMorph}
           disabled={keyed}
           onClick={on ? pause : play}
         />
         <Slider
-          label="Place along the path"
+          label={messages.positionOnPath}
           value={t}
           step={0.01}
           valueText={`${percent(t)}, ${stateNow()}`}
@@ -42,7 +43,7 @@ export function MomentPanel() {
           <SliderBreaks breaks={check.value?.breaks ?? []} />
         </Slider>
         <PercentField
-          label="Place along the path in percent"
+          label={messages.positionOnPathIn}
           value={t}
           onChange={(next) => {
             pause();
@@ -52,14 +53,10 @@ export function MomentPanel() {
         />
       </div>
       <p class="hint number">
-        <span class="symbol">u</span> {fixed(u)} turns and stretches, <span class="symbol">v</span> {fixed(v)}{" "}
-        moves
+        <span class="symbol">u</span> {messages.turnsAndStretches(fixed(u))} <span class="symbol">v</span>{" "}
+        {messages.moves(fixed(v))}
       </p>
-      {keyed && (
-        <p class="notes">
-          The time line moves it: what is set here is remembered at its moment, and it plays below.
-        </p>
-      )}
+      {keyed && <p class="notes">{messages.timelineControlsThisWhat}</p>}
       <Holds />
     </section>
   );

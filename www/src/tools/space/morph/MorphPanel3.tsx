@@ -11,6 +11,7 @@ import type { LocusStyle } from "#stage/locus/paint";
 import { Button } from "#ui/controls/Button";
 import { solid } from "#wasm/space";
 import { EPSILON } from "#workers/lanes/locus-fill";
+import * as messages from "../messages";
 import { presets } from "../shape/object/presets";
 import { startingWith, withoutMorph } from "./changes";
 import { Ends } from "./Ends";
@@ -47,8 +48,12 @@ function Parts() {
       ) : (
         <>
           <p class="notes" role="status">
-            {now.objects[0]?.name} has {now.objects[0]?.maps.length} maps and {morph.value.to.name}{" "}
-            {morph.value.to.maps.length}: each map has to become one. Choose another shape B.
+            {messages.unequalMaps(
+              now.objects[0]?.name ?? "",
+              now.objects[0]?.maps.length ?? 0,
+              morph.value.to.name,
+              morph.value.to.maps.length,
+            )}
           </p>
           <Last />
         </>
@@ -59,11 +64,8 @@ function Parts() {
 
 function Begin() {
   return (
-    <section class={css["morph3-part"]} aria-label="Begin a morph">
-      <p class="hint">
-        The first object can become another shape of as many maps. Frond maps out where it holds together on
-        the way, and looks for a path on which it does. {othersWords()}
-      </p>
+    <section class={css["morph3-part"]} aria-label={messages.startMorph}>
+      <p class="hint">{messages.aboutMorph(othersWords())}</p>
       <DragonButton />
     </section>
   );
@@ -74,7 +76,7 @@ function DragonButton() {
   return (
     <Button
       icon="play"
-      description="A tetrahedron and a curled dragon, and nothing else: what is there now can be brought back with undo"
+      description={messages.tetrahedronAndCurledDragon}
       onClick={() => {
         const at = (id: string) => presets().find((preset) => preset.id === id);
         const [a, b] = [at("tetrahedron"), at("dragon-curled")];
@@ -85,28 +87,28 @@ function DragonButton() {
         choose(0);
         setMoment(0);
         setView(null);
-        announce("The tetrahedron becomes a dragon. A path is looked for.");
+        announce(messages.tetrahedronTurnsIntoDragon);
       }}
     >
-      Tetrahedron to the dragon in space
+      {messages.tetrahedronToDragonIn}
     </Button>
   );
 }
 
 function Last() {
   return (
-    <section class={css["morph3-last"]} aria-label="The morph itself">
+    <section class={css["morph3-last"]} aria-label={messages.morph2}>
       {othersWords() !== "" && <p class="hint">{othersWords()}</p>}
       <Button
         kind="quiet"
         icon="close"
-        description="The first object stays what it is at the beginning"
+        description={messages.firstObjectStaysAs}
         onClick={() => {
           pause();
-          if (changeSpace(withoutMorph)) announce("There is no morph any more.");
+          if (changeSpace(withoutMorph)) announce(messages.morphRemoved);
         }}
       >
-        No morph
+        {messages.removeMorph}
       </Button>
       <DragonButton />
     </section>

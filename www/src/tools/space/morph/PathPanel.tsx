@@ -5,6 +5,7 @@ import { isBroken, STATE, widestOf } from "#geometry/states";
 import { PathSection, WayPointEditor } from "#stage/locus/PathEditor";
 import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
+import * as messages from "../messages";
 import { PATH } from "./handles";
 import css from "./morph3.module.css";
 import { setKind, way } from "./way";
@@ -19,7 +20,7 @@ export function PathPanel() {
         {kind === "auto" && search.value ? <Searching share={search.value.share} /> : <PathVerdict />}
         {kind === "auto" && <Ended />}
       </div>
-      <WayPointEditor path={PATH} bounds={BOUNDS} hint="or press twice on the map" />
+      <WayPointEditor path={PATH} bounds={BOUNDS} hint={messages.orDoubleClickLocus} />
     </PathSection>
   );
 }
@@ -29,13 +30,13 @@ function Searching({ share }: { share: number }) {
   return (
     <>
       <div class={pathCss["path-proof-bar"]}>
-        <progress aria-label="Search for a path" max={1} {...(share > 0 ? { value: share } : {})} />
+        <progress aria-label={messages.searchForPath} max={1} {...(share > 0 ? { value: share } : {})} />
         <Button kind="quiet" onClick={callOff}>
-          Cancel
+          {messages.cancel}
         </Button>
       </div>
       <p class="hint" role="status">
-        {pathless.value ? "A path on which it holds together is looked for." : "A better path is looked for."}
+        {pathless.value ? messages.frondSearchingForPath : messages.frondSearchingForBetter}
       </p>
     </>
   );
@@ -49,16 +50,14 @@ function Ended() {
     <div class="row" role="status">
       <span class="hint">{problem ?? endedWords(way.value.length > 0)}</span>
       <Button kind="quiet" icon="reset" onClick={lookAgain}>
-        Look again
+        {messages.searchAgain}
       </Button>
     </div>
   );
 }
 
 function endedWords(some: boolean): string {
-  return some
-    ? "The search was ended. This is the best path so far."
-    : "The search was ended before it had found a path: this one is straight.";
+  return some ? messages.youEndedSearchThis : messages.youEndedSearchBefore;
 }
 
 function PathVerdict() {
@@ -82,10 +81,7 @@ function PathVerdict() {
         </span>
       </p>
       {settled && !so.holds && (
-        <p class="hint">
-          {bestWords(best.plan.apart === true, false)} Another way to match the maps, or other shapes, may
-          have one.
-        </p>
+        <p class="hint">{messages.orOtherPairing(bestWords(best.plan.apart === true, false))}</p>
       )}
     </>
   );

@@ -8,15 +8,14 @@ import { LocusProgress } from "#stage/locus/LocusProgress";
 import type { LocusStyle } from "#stage/locus/paint";
 import { focusHandle } from "#stage/locus/WayPoints";
 import { EPSILON } from "#workers/lanes/locus-fill";
+import * as messages from "../messages";
 import { Current, Way } from "./handles";
 import { addAt, goTo, pick, place, way } from "./way";
 import { check, locus, locusProblem, morph, pathless, pathPoints } from "./work";
 
 /** How near to the path a press counts as on it, in CSS pixels. */
 const LINE_REACH = 9;
-const LABEL =
-  "Map of u, to the right, and v, upwards, from −1 to 2: light where the shape holds together, dark where it is broken. " +
-  "The handles on it move the path.";
+const LABEL = messages.locusOverUTo + messages.handlesMovePath;
 
 /** Where the morph holds together, with the path through it. */
 export function Square({ style }: { style: LocusStyle }) {

@@ -31,9 +31,9 @@ describe("what the first object can become", () => {
 describe("what cannot be chosen", () => {
   it("says why, by numbers", () => {
     expect(missingWords(2, presets, "Pair")).toBe(
-      "Pair has 2 maps. Each map becomes a map, so that a shape of 3 maps cannot be chosen.",
+      "Pair has 2 maps. Each map becomes a map, so you cannot choose a shape with 3 maps.",
     );
-    expect(missingWords(1, presets, "Point")).toContain("has 1 map, and no other shape of the gallery");
+    expect(missingWords(1, presets, "Point")).toContain("has 1 map, and no other shape in the gallery");
     expect(missingWords(1, presets, "Point")).toContain("2 or 3 maps");
   });
 });

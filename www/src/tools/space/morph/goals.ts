@@ -2,6 +2,7 @@
 
 import { sameMaps } from "#geometry/maps/same-maps";
 import type { Preset3, Shape3, SpaceObject } from "#wasm/api";
+import * as messages from "../messages";
 
 export interface Goal {
   id: string;
@@ -26,12 +27,12 @@ export function goalsOf(objects: readonly SpaceObject[], presets: readonly Prese
     const known = [...listed.map(({ shape }) => shape.maps), first.maps, ...beside.map((g) => g.shape.maps)];
     if (!fits({ maps }) || known.some((other) => sameMaps(other, maps))) return;
     const shape: Shape3 = { ...(preset === undefined ? {} : { preset }), name, maps };
-    beside.push({ id: `object-${i + 1}`, name, about: "An object of this scene, as it was made.", shape });
+    beside.push({ id: `object-${i + 1}`, name, about: messages.objectThisSceneUntransformed, shape });
   });
   const itself: Goal = {
     id: ITSELF,
-    name: "A copy of itself",
-    about: "Change the first shape afterwards, under Shape: the morph then leads from the one to the other.",
+    name: messages.copyItself,
+    about: messages.editFirstShapeAfterwards,
     shape: {
       ...(first.preset === undefined ? {} : { preset: first.preset }),
       name: first.name,
@@ -45,15 +46,13 @@ export function goalsOf(objects: readonly SpaceObject[], presets: readonly Prese
 export function missingWords(count: number, presets: readonly Preset3[], name: string): string {
   const others = presets.filter(({ maps }) => maps.length !== count);
   const fits = presets.length - others.length;
-  const maps = count === 1 ? "1 map" : `${count} maps`;
+  const maps = count === 1 ? "1 map" : messages.mapCount(count);
   const counts = [...new Set(others.map((preset) => preset.maps.length))].sort((a, b) => a - b);
-  const rest = `Each map becomes a map, so that a shape of ${listed(counts)} maps cannot be chosen.`;
-  return fits > 1
-    ? `${name} has ${maps}. ${rest}`
-    : `${name} has ${maps}, and no other shape of the gallery has as many. ${rest}`;
+  const rest = messages.needsSameMaps(listed(counts));
+  return fits > 1 ? messages.hasMaps(name, maps, rest) : messages.noneHasAsMany(name, maps, rest);
 }
 
 function listed(counts: readonly number[]): string {
   if (counts.length < 2) return counts.join("");
-  return `${counts.slice(0, -1).join(", ")} or ${counts.at(-1)}`;
+  return messages.orLast(counts.slice(0, -1).join(", "), counts.at(-1) ?? 0);
 }

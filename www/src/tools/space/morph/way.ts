@@ -10,6 +10,7 @@ import type { Uv } from "#geometry/path";
 import { clamp, insert, move, nearestOn, remove } from "#geometry/polyline";
 import { sampleNear } from "#geometry/states";
 import type { PathKind, PathPoint, Space } from "#wasm/api";
+import * as messages from "../messages";
 import { MOST_POINTS, withPath } from "./changes";
 import { check, judged, locus, moment, pathPoints, uv } from "./work";
 
@@ -84,7 +85,7 @@ export function addAfter(index: number): number | null {
 
 function addTo(segment: number, point: Uv): number | null {
   if (way.peek().length >= MOST_POINTS) {
-    announce(`A path has at most ${MOST_POINTS} waypoints.`);
+    announce(messages.mostWaypoints(MOST_POINTS));
     return null;
   }
   const before = uv.peek();
@@ -92,7 +93,7 @@ function addTo(segment: number, point: Uv): number | null {
   endGesture();
   if (!changeSpace((now) => staying(drawn(now, insert(way.peek(), segment, at)), before))) return null;
   pick(segment);
-  announce(`Waypoint ${segment + 1} of ${way.peek().length} added at ${pointWords(at)}.`);
+  announce(messages.waypointAdded(segment + 1, way.peek().length, pointWords(at)));
   return segment;
 }
 
@@ -101,7 +102,7 @@ export function removeAt(index: number): void {
   endGesture();
   if (!changeSpace((now) => staying(drawn(now, remove(way.peek(), index)), before))) return;
   pick(null);
-  announce(`Waypoint ${index + 1} removed, ${way.peek().length} left.`);
+  announce(messages.waypointRemoved(index + 1, way.peek().length));
 }
 
 /** The moment is told by length along the path: after a change it is looked up anew, so that the picture stays. */

@@ -7,6 +7,7 @@ import { Button } from "#ui/controls/Button";
 import type { BoxCount3, MapRow3, Place3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { spaceTask } from "#workers/space/client";
+import * as messages from "../messages";
 import { facts, moved, rested } from "./now";
 import css from "./shape.module.css";
 
@@ -24,28 +25,29 @@ export function FactsPanel() {
           <Fact name="Dimension">
             {now.similarity !== null
               ? formatNumber(now.similarity, 4)
-              : `at most ${formatNumber(now.affinity, 4)}`}
+              : messages.atMost(formatNumber(now.affinity, 4))}
             <small>
-              {now.similarity !== null
-                ? "exactly, where its pieces do not overlap: all maps are similitudes"
-                : "the affinity dimension: not all maps are similitudes"}
+              {now.similarity !== null ? messages.exactIfPiecesDo : messages.affinityDimensionNotAll}
             </small>
           </Fact>
           <Boxes maps={maps} />
-          <Fact name="Contracts by">
+          <Fact name={messages.contractsBy}>
             {formatNumber(now.contractivity, 4)}
-            <small>at least, in coordinates that suit it</small>
+            <small>{messages.atLeastInSuitable}</small>
           </Fact>
-          <Fact name="Middle">({now.centre.map((x) => fixed(x, 3)).join(", ")})</Fact>
-          <Fact name="Radius">{formatNumber(now.radius, 4)}</Fact>
+          <Fact name={messages.centre}>({now.centre.map((x) => fixed(x, 3)).join(", ")})</Fact>
+          <Fact name={messages.radius}>{formatNumber(now.radius, 4)}</Fact>
         </>
       )}
-      <Fact name="What was done">
+      <Fact name={messages.transformation}>
         {placeWords(placeOf(by))}
         <small>
           {times === 0
-            ? "flat"
-            : `volumes times ${formatNumber(Math.abs(times), 3)}${times < 0 ? ", mirrored" : ""}`}
+            ? messages.flat
+            : messages.volumesTimes(
+                formatNumber(Math.abs(times), 3),
+                times < 0 ? messages.mirroredAside : "",
+              )}
         </small>
       </Fact>
     </dl>
@@ -91,10 +93,10 @@ function Boxes({ maps }: { maps: MapRow3[] }) {
   };
   const result = counted?.of === maps ? counted.result : null;
   return (
-    <Fact name="In boxes">
+    <Fact name={messages.inBoxes}>
       {result === null ? (
         <Button kind="quiet" disabled={busy} onClick={() => void count()}>
-          {busy ? "Counting…" : "Count"}
+          {busy ? messages.counting : messages.count}
         </Button>
       ) : typeof result === "string" ? (
         result
@@ -102,8 +104,10 @@ function Boxes({ maps }: { maps: MapRow3[] }) {
         <>
           {formatNumber(result.dimension, 3)}
           <small>
-            counted: {result.counts.length} sizes of boxes,{" "}
-            {(result.counts.at(-1)?.[1] ?? 0).toLocaleString("en")} of the smallest
+            {messages.countedBoxes(
+              result.counts.length,
+              (result.counts.at(-1)?.[1] ?? 0).toLocaleString("en"),
+            )}
           </small>
         </>
       )}

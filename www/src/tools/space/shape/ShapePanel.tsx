@@ -3,6 +3,7 @@ import { chosen, spaceReady } from "#document/space/space";
 import { formatNumber } from "#format/numbers";
 import { Fold } from "#ui/panel/Fold";
 import { mapsNote } from "#ui/shapes/ShapeGrid";
+import * as messages from "../messages";
 import { FactsPanel } from "./FactsPanel";
 import { MapEditor } from "./maps/MapEditor";
 import { ObjectHand } from "./maps/ObjectHand";
@@ -31,18 +32,18 @@ function Folds() {
   const known = facts.value;
   const dimension = known
     ? known.similarity !== null && known.similarity <= 3
-      ? `dimension ${formatNumber(known.similarity, 3)}, unless pieces overlap`
-      : `dimension at most ${formatNumber(Math.min(3, known.affinity), 3)}`
+      ? messages.dimensionUnless(formatNumber(known.similarity, 3))
+      : messages.dimensionAtMost(formatNumber(Math.min(3, known.affinity), 3))
     : undefined;
   return (
-    <section class={css["solid-folds"]} aria-label="More of the object">
-      <Fold title="Its maps" {...(object.value ? { now: mapsNote(object.value) } : {})}>
+    <section class={css["solid-folds"]} aria-label={messages.moreAboutObject}>
+      <Fold title={messages.maps} {...(object.value ? { now: mapsNote(object.value) } : {})}>
         <MapEditor key={chosen.value} />
       </Fold>
-      <Fold title="Facts" {...(dimension === undefined ? {} : { now: dimension })}>
+      <Fold title={messages.facts} {...(dimension === undefined ? {} : { now: dimension })}>
         <FactsPanel />
       </Fold>
-      <Fold title="Shadow on a plane">
+      <Fold title={messages.shadowOnPlane}>
         <ProjectionPanel />
       </Fold>
     </section>

@@ -3,6 +3,7 @@ import { useEffect } from "preact/hooks";
 import { lookingAround, motionProblem, space, spaceFrame, spaceView } from "#document/space/space";
 import { Button } from "#ui/controls/Button";
 import { solid } from "#wasm/space";
+import * as messages from "../messages";
 import { backToFlight, showWhole } from "./actions";
 import { type Ball, eyeOf, sightOf } from "./camera";
 import { sight } from "./sight";
@@ -40,13 +41,13 @@ export function Messages() {
         {problem !== null && (
           <div class={css["space-message"]}>
             <p>{problem}</p>
-            <Button onClick={showWhole}>Whole view</Button>
+            <Button onClick={showWhole}>{messages.showAll}</Button>
           </div>
         )}
         {problem === null && what !== null && (
           <div class={css["space-message"]}>
             <p>{TROUBLE_WORDS[what]}</p>
-            <Button onClick={showWhole}>Show all</Button>
+            <Button onClick={showWhole}>{messages.showAll}</Button>
           </div>
         )}
         {inside !== null && <p class={css["space-inside"]}>{inside}</p>}
@@ -54,10 +55,10 @@ export function Messages() {
       {flown.value && (
         <Button
           class={css["space-flight"]}
-          description="You look around on your own: go back"
+          description={messages.youLookingAroundReturn}
           onClick={backToFlight}
         >
-          Back to the flight
+          {messages.backToFlight}
         </Button>
       )}
     </>
@@ -87,6 +88,6 @@ function objectsAround(): string[] {
     }
     const { centre, radius } = ball;
     const far = Math.hypot(eye[0] - centre[0], eye[1] - centre[1], eye[2] - centre[2]);
-    return far < WITHIN * radius ? [names[i]?.name ?? `object ${i + 1}`] : [];
+    return far < WITHIN * radius ? [names[i]?.name ?? messages.objectNumber(i + 1)] : [];
   });
 }

@@ -5,6 +5,7 @@ import { chosen, hand, space, spaceView } from "#document/space/space";
 import { watchSize } from "#stage/picture";
 import type { PainterBackend } from "#stage/surface/painter";
 import { BendHandles } from "../bend/Handles";
+import * as messages from "../messages";
 import { attachGestures } from "./gestures";
 import { stageKey, stageKeyUp } from "./keys";
 import { Messages } from "./Messages";
@@ -15,8 +16,7 @@ import { SpacePainter } from "./surface/painter";
 import { Toolbar } from "./Toolbar";
 import { countsWords, handWords, statusWords } from "./words";
 
-const LABEL =
-  "The shapes in space. Arrow keys turn the view, or the object where the hand is for that; with Shift they shift what is seen. Plus and minus change the distance, comma and full stop the angle of view, W, A, S, D, Q and E fly, 0 shows all.";
+const LABEL = messages.shapesInSpaceArrow;
 
 /** As much is carved at most: a large screen with two pixels each way would take too long. */
 const MOST_CARVED = 9e6;

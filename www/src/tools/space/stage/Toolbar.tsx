@@ -3,17 +3,18 @@ import { hand, space, spaceView } from "#document/space/space";
 import { media } from "#style/media";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
+import * as messages from "../messages";
 import { atOrigin, goToOrigin, showWhole } from "./actions";
 import css from "./stage.module.css";
 
 const HANDS = [
-  { value: "look", label: "Look", description: "Drag to look around; the shapes stay" },
-  { value: "turn", label: "Turn", description: "Drag to turn the object, by its parameters" },
-  { value: "move", label: "Move", description: "Drag to move the object, by its parameters" },
+  { value: "look", label: messages.look, description: messages.dragToLookAround },
+  { value: "turn", label: messages.rotate, description: messages.dragToRotateObject },
+  { value: "move", label: messages.move, description: messages.dragToMoveObject },
   {
     value: "scale",
-    label: "Scale",
-    description: "Drag to make the object larger or smaller, by its parameters",
+    label: messages.scale,
+    description: messages.dragToScaleObject,
   },
 ] as const;
 
@@ -29,7 +30,7 @@ export function Toolbar() {
   return (
     <div class={css["space-bar"]}>
       <Segmented
-        label={objects.value > 1 ? "What a drag does to the view or the chosen object" : "What a drag does"}
+        label={objects.value > 1 ? messages.dragModeForView : messages.dragMode}
         options={HANDS}
         value={hand.value}
         command="hand"
@@ -41,23 +42,23 @@ export function Toolbar() {
         {small.value ? (
           <Button
             pressed={origin.value}
-            description="The eye at the origin, as the papers have it"
+            description={messages.eyeAtOriginAs}
             command="origin"
             onClick={goToOrigin}
           >
-            Origin
+            {messages.origin}
           </Button>
         ) : (
           <Button
             pressed={origin.value}
-            description="As the papers have it: the eye stays at (0, 0, 0), and drags turn it there"
+            description={messages.asInPapersEye}
             command="origin"
             onClick={goToOrigin}
           >
-            Eye at the origin
+            {messages.eyeAtOrigin}
           </Button>
         )}
-        <IconButton icon="whole" label="Whole view" command="fit" onClick={showWhole} />
+        <IconButton icon="whole" label={messages.showAll} command="fit" onClick={showWhole} />
       </span>
     </div>
   );

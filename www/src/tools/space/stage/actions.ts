@@ -6,6 +6,7 @@ import { lookingAround, setView, space, spaceFrame, spaceView } from "#document/
 import { about3, scale3, shift3 } from "#geometry/maps/affine3";
 import type { MapRow3, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../messages";
 import { axesOf, depthOf, eyeOf, fromOrigin, shiftByHand, showsAll, wholeView } from "./camera";
 import { chosenBall, samples, sight } from "./sight";
 import { stageSize } from "./state";
@@ -63,7 +64,7 @@ export function handObject(by: ObjectHand, dx: number, dy: number, gesture: stri
     moveObject(transformOf(by, view, ball.centre, dx, dy), { gesture });
     return true;
   } catch (problem) {
-    notify({ kind: "error", text: `The object stays as it was: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.objectUnchanged(wordsOf(problem)) });
     return false;
   }
 }

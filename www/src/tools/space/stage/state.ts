@@ -4,6 +4,7 @@ import { spaceFrame, spaceView } from "#document/space/space";
 import type { Size } from "#geometry/coordinates";
 import type { PainterBackend } from "#stage/surface/painter";
 import type { Pixels } from "#stage/surface/surface";
+import * as messages from "../messages";
 import { type Painted, type SpacePainter, NOTHING as UNPAINTED } from "./surface/painter";
 
 /** In CSS pixels. */
@@ -27,7 +28,7 @@ export const spaceDrawn: ReadonlySignal<boolean> = computed(
 /** What is on the stage, read back from whatever drew it. */
 export async function spacePixels(): Promise<Pixels & { backend: PainterBackend | null }> {
   const now = painter.peek();
-  if (!now) throw new Error("There is no picture of space on this page.");
+  if (!now) throw new Error(messages.thisPageHasNo);
   return { ...(await now.pixels()), backend: painted.peek().backend };
 }
 

@@ -1,23 +1,24 @@
 /** What the stage of space says. Pure. */
 import { countWords } from "#format/verdict";
+import * as messages from "../messages";
 import type { Painted } from "./surface/painter";
 
 /** How much of the picture is there. */
 export function statusWords(painted: Pick<Painted, "backend" | "complete" | "settled" | "points">): string {
   const { backend, complete, settled, points } = painted;
-  if (backend === null) return "Preparing …";
-  if (complete) return settled ? "Complete picture" : "Complete picture, smoothing …";
-  if (backend === "canvas") return "Coarse picture";
-  return points > 0 ? `${countWords(points)} points, completing …` : "Drawing …";
+  if (backend === null) return messages.preparing;
+  if (complete) return settled ? messages.completePicture : messages.completePictureSmoothing;
+  if (backend === "canvas") return messages.coarsePicture;
+  return points > 0 ? messages.pointsCompleting(countWords(points)) : messages.drawing;
 }
 
 /** How much there is. */
 export function countsWords(objects: number, maps: number): string {
   const of = `${maps} ${maps === 1 ? "map" : "maps"}`;
-  return objects === 1 ? of : `${objects} objects, ${of}`;
+  return objects === 1 ? of : messages.objectsOf(objects, of);
 }
 
-const DOES = { turn: "Turns", move: "Moves", scale: "Scales" } as const;
+const DOES = { turn: messages.turns, move: messages.moves2, scale: messages.scales2 } as const;
 
 /** What a drag is about, where that is no matter of course. */
 export function handWords(
@@ -41,14 +42,14 @@ export function troubleOf(
 }
 
 export const TROUBLE_WORDS = {
-  behind: "Everything is behind the eye.",
-  nothing: "Nothing is in view.",
+  behind: messages.everythingBehindEye,
+  nothing: messages.nothingInView,
 } as const;
 
 /** Of which objects the eye is within reach. */
 export function insideWords(names: readonly string[]): string | null {
   const [first] = names;
   if (first === undefined) return null;
-  if (names.length === 1) return `The eye is inside ${first}.`;
-  return `The eye is inside ${names.length} objects.`;
+  if (names.length === 1) return messages.eyeInside(first);
+  return messages.eyeInsideSeveral(names.length);
 }

@@ -3,6 +3,7 @@ import { space, timeline } from "#document/space/space";
 import { Menu } from "#ui/overlay/Menu";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Repeat } from "#wasm/api";
+import * as messages from "../messages";
 import { jumpsBack, withLoop } from "./changes";
 import { pauseSpace } from "./clock";
 import { attempt } from "./keys/keys";
@@ -19,7 +20,7 @@ function choose(loop: Repeat): void {
 export function LoopMenu() {
   const { loop } = lineNow();
   const now = loopOf(loop);
-  const what = `After the end: ${now?.label.toLowerCase()}`;
+  const what = messages.loopIs(now?.label.toLowerCase() ?? "");
   return (
     <div title={what}>
       <Menu
@@ -40,13 +41,8 @@ export function LoopRow() {
   const line = lineNow();
   return (
     <>
-      <ChoiceRow label="After the end" options={LOOPS} value={line.loop} onChange={choose} />
-      {jumpsBack(line) && (
-        <p class="hint">
-          The last key stands at the very end: unless it looks as the first, all jumps back from there. To and
-          fro goes back the way it came.
-        </p>
-      )}
+      <ChoiceRow label={messages.loop} options={LOOPS} value={line.loop} onChange={choose} />
+      {jumpsBack(line) && <p class="hint">{messages.lastKeyframeAtVery}</p>}
     </>
   );
 }

@@ -2,6 +2,7 @@ import { changeTimeline } from "#document/space/edits";
 import { timeline } from "#document/space/space";
 import { openFilm } from "#film/open";
 import { Menu } from "#ui/overlay/Menu";
+import * as messages from "../messages";
 import { fly } from "./flight/fly";
 import { attempt, removeAllKeys, stretch } from "./keys/keys";
 import { openAnimation } from "./saved/open";
@@ -20,17 +21,17 @@ export function TimeMenu({ all = false }: { all?: boolean }) {
   return (
     <div class={css["time-menu"]}>
       <Menu
-        label="More of time"
+        label={messages.moreOptionsForTime}
         items={[
-          { label: "Fly through", onSelect: () => fly("through") },
-          { label: "Fly around", onSelect: () => fly("around") },
-          course("smooth", "Smooth at the keys"),
-          course("straight", "Straight from key to key"),
-          { label: "All of it slower by half", disabled: !line, onSelect: () => stretch(1.5) },
-          { label: "Twice as fast", disabled: !line, onSelect: () => stretch(0.5) },
-          { label: "Open a saved animation …", onSelect: openAnimation },
-          ...(all ? [{ label: "Export …", icon: "save" as const, onSelect: openFilm }] : []),
-          { label: "Remove all keys", icon: "bin", disabled: !line, onSelect: removeAllKeys },
+          { label: messages.flyThrough, onSelect: () => fly("through") },
+          { label: messages.flyAround, onSelect: () => fly("around") },
+          course("smooth", messages.smoothAtKeyframes),
+          course("straight", messages.straightBetweenKeyframes),
+          { label: messages.halfSpeed, disabled: !line, onSelect: () => stretch(1.5) },
+          { label: messages.doubleSpeed, disabled: !line, onSelect: () => stretch(0.5) },
+          { label: messages.openSavedAnimation, onSelect: openAnimation },
+          ...(all ? [{ label: messages.exportLabel, icon: "save" as const, onSelect: openFilm }] : []),
+          { label: messages.removeAllKeyframes, icon: "bin", disabled: !line, onSelect: removeAllKeys },
         ]}
       />
     </div>

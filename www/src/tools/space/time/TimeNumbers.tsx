@@ -2,6 +2,7 @@ import { endGesture } from "#document/scene";
 import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { moment, space, timeline } from "#document/space/space";
 import { NumberField, type NumberFieldProps } from "#ui/controls/NumberField";
+import * as messages from "../messages";
 import { LONGEST, SHORTEST, secondsProblem, withSeconds } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { attempt } from "./keys/keys";
@@ -33,20 +34,20 @@ export function TimeNumbers({ terse = true, problems }: Problems & { terse?: boo
       <MomentField
         {...told}
         terse={terse}
-        label="Moment"
+        label={messages.moment}
         value={moment.value}
         seconds={line.seconds}
         onChange={scrubSpace}
       />
       {terse && (
         <span class={css["time-of"]} aria-hidden="true">
-          of
+          {messages.ofLabel}
         </span>
       )}
       <NumberField
         {...told}
         terse={terse}
-        label="Length"
+        label={messages.length}
         value={line.seconds}
         min={SHORTEST}
         max={LONGEST}

@@ -2,6 +2,7 @@ import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { space, timeline } from "#document/space/space";
 import { Button, IconButton } from "#ui/controls/Button";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import * as messages from "../messages";
 import { scrubSpace } from "./clock";
 import { fly } from "./flight/fly";
 import { EaseMenu } from "./keys/EaseMenu";
@@ -16,17 +17,17 @@ import css from "./time.module.css";
 import { easeWords, keyWords, secondsWords } from "./words";
 
 const COURSES = [
-  { value: "smooth", label: "Smooth", description: "Without a jerk at the keys, and never past them" },
-  { value: "straight", label: "Straight", description: "Straight from key to key" },
+  { value: "smooth", label: messages.smooth, description: messages.withoutJerksAtKeyframes },
+  { value: "straight", label: messages.straight, description: messages.straightBetweenKeyframes },
 ] as const;
 
 /** All of time as numbers and a list: what the strip has no room for. */
 export function TimePanel() {
   const line = timeline.value;
   return (
-    <section class="stack" aria-label="Time and keys">
+    <section class="stack" aria-label={messages.timeAndKeyframes}>
       <div class="section-head">
-        <h2>Time</h2>
+        <h2>{messages.time}</h2>
         <ExportButton />
       </div>
       <div class={css["time-fields"]}>
@@ -34,19 +35,19 @@ export function TimePanel() {
       </div>
       <LoopRow />
       <ChoiceRow
-        label="From key to key"
+        label={messages.betweenKeyframes}
         options={COURSES}
         value={(line ?? space.value?.timeline ?? EMPTY_LINE).course}
         onChange={(course) => attempt(() => changeTimeline((now) => ({ ...now, course })))}
       />
       <div class={css["time-ready"]}>
-        <Button onClick={() => fly("through")}>Fly through</Button>
-        <Button onClick={() => fly("around")}>Fly around</Button>
+        <Button onClick={() => fly("through")}>{messages.flyThrough}</Button>
+        <Button onClick={() => fly("around")}>{messages.flyAround}</Button>
         <Button kind="quiet" onClick={openAnimation}>
-          Open …
+          {messages.open}
         </Button>
       </div>
-      {line ? <KeyList /> : <p class="hint">No keys yet: nothing moves.</p>}
+      {line ? <KeyList /> : <p class="hint">{messages.noAnimationYetThere}</p>}
       <KeyOptions />
     </section>
   );
@@ -63,13 +64,13 @@ function KeyList() {
             <span class="number">{secondsWords(key.at)}</span>
             <span class={`dim ${css["key-about"]}`}>
               {keyWords(key)}
-              {index < keys.length - 1 && <span>then {easeWords(key.ease)}</span>}
+              {index < keys.length - 1 && <span>{messages.thenEase(easeWords(key.ease))}</span>}
             </span>
           </Button>
           <EaseMenu of={key} index={index} />
           <IconButton
             icon="bin"
-            label={`Delete key ${index + 1}`}
+            label={messages.deleteKey(index + 1)}
             kind="quiet"
             onClick={() => removeKey(index)}
           />

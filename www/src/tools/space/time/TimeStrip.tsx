@@ -8,6 +8,7 @@ import { Button } from "#ui/controls/Button";
 import { Slider } from "#ui/controls/Slider";
 import { useOwnId } from "#ui/id";
 import { narrow } from "#ui/media";
+import * as messages from "../messages";
 import { pauseSpace, scrubSpace, togglePlay } from "./clock";
 import { fly } from "./flight/fly";
 import { KeyOptions, SetKey } from "./keys/KeyOptions";
@@ -29,7 +30,7 @@ export function TimeStrip() {
     };
   }, []);
   return (
-    <section class={`strip ${css["space-strip"]}`} aria-label="Time">
+    <section class={`strip ${css["space-strip"]}`} aria-label={messages.time}>
       <Play />
       <div class={css["space-film"]}>
         <Scrub />
@@ -46,7 +47,7 @@ function Play() {
     <PlayButton
       playing={spacePlaying.value}
       onToggle={togglePlay}
-      still={still ? "two keys are needed: set them, or fly through" : undefined}
+      still={still ? messages.setTwoKeyframesOr : undefined}
     />
   );
 }
@@ -56,7 +57,7 @@ function Scrub() {
   return (
     <Slider
       class="key-scrub"
-      label="Time"
+      label={messages.time}
       value={Math.min(line.seconds, moment.value)}
       min={0}
       max={line.seconds}
@@ -73,14 +74,11 @@ function Track() {
   return (
     <div class={css["space-no-keys"]}>
       <p class="hint">
-        Nothing moves yet.
-        <span class={css["more"]}>
-          {" "}
-          Set a key, go to another moment, look from elsewhere, and set another.
-        </span>
+        {messages.noAnimationYet}
+        <span class={css["more"]}> {messages.setKeyframeMoveTo}</span>
       </p>
       <Button disabled={!space.value} onClick={() => fly("through")}>
-        Fly through
+        {messages.flyThrough}
       </Button>
     </div>
   );
@@ -126,11 +124,11 @@ export function ExportButton() {
     <Button
       class={css["export-button"]}
       popup="dialog"
-      description="Save it as a film, as a moving picture, or as numbers"
+      description={messages.saveAsFilmAnimation}
       disabled={!space.value}
       onClick={openFilm}
     >
-      {done === null ? "Export …" : `Film ${Math.floor(100 * done)}%`}
+      {done === null ? messages.exportLabel : messages.filmPercent(Math.floor(100 * done))}
     </Button>
   );
 }

@@ -68,7 +68,7 @@ describe("the length", () => {
   it("keeps the keys, and says which one is in the way", () => {
     expect(withSeconds(line, 9)).toEqual({ ...line, seconds: 9 });
     expect(withSeconds(line, 5)).toBe(line);
-    expect(secondsProblem(line, 5)).toContain("Key 3 stands at 6 s");
+    expect(secondsProblem(line, 5)).toContain("Keyframe 3 is at 6 s");
     expect(secondsProblem(line, 6)).toBeUndefined();
     expect(secondsProblem({ ...line, loop: "round" }, 6)).toBeUndefined();
   });

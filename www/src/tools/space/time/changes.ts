@@ -3,6 +3,7 @@
 import { SAME_KEY_S } from "#document/space/edits";
 import { formatNumber } from "#format/numbers";
 import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#wasm/api";
+import * as messages from "../messages";
 
 export const MOST_KEYS = 100;
 export const SHORTEST = 0.1;
@@ -53,7 +54,7 @@ function withItem(line: SpaceTimeline, index: number, item: SpaceKey): SpaceTime
 export function secondsProblem(line: SpaceTimeline, seconds: number): string | undefined {
   const last = line.keys.at(-1);
   if (!last || last.at <= seconds) return undefined;
-  return `Key ${line.keys.length} stands at ${formatNumber(last.at, 2)} s. Move it first, or make it all faster.`;
+  return messages.keyAfterEnd(line.keys.length, formatNumber(last.at, 2));
 }
 
 export function withSeconds(line: SpaceTimeline, seconds: number): SpaceTimeline {

@@ -15,8 +15,8 @@ const line: SpaceTimeline = {
 };
 
 it("says where in time it is", () => {
-  expect(momentWords(line, 3)).toBe("3 s of 6 s, key 2 of 2");
-  expect(momentWords(line, 1.234)).toBe("1.23 s of 6 s, between keys");
+  expect(momentWords(line, 3)).toBe("3 s of 6 s, keyframe 2 of 2");
+  expect(momentWords(line, 1.234)).toBe("1.23 s of 6 s, between keyframes");
   expect(momentWords(null, 0)).toBe("0 s, nothing moves");
 });
 
@@ -30,10 +30,10 @@ it("says what a key holds", () => {
 });
 
 it("has a word for each way to go on", () => {
-  expect(LOOPS.map(({ value }) => loopOf(value)?.label)).toEqual(["Once", "Round and round", "To and fro"]);
+  expect(LOOPS.map(({ value }) => loopOf(value)?.label)).toEqual(["None", "Restart", "Back and forth"]);
 });
 
 it("has a word for each pace", () => {
   expect(new Set(EASES.map(({ label }) => label)).size).toBe(5);
-  expect(easeWords("hold")).toBe("stay, then jump");
+  expect(easeWords("hold")).toBe("hold, then jump");
 });

@@ -1,27 +1,33 @@
 import { formatNumber } from "#format/numbers";
 import type { IconName } from "#ui/controls/Icon";
 import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#wasm/api";
+import * as messages from "../messages";
 import { keyAt } from "./changes";
 
 /** How it goes on from a key. */
 export const EASES: readonly { value: Ease; label: string }[] = [
-  { value: "even", label: "At an even pace" },
-  { value: "in", label: "Slow at first" },
-  { value: "out", label: "Slow at the end" },
-  { value: "inout", label: "Slow at both ends" },
-  { value: "hold", label: "Stay, then jump" },
+  { value: "even", label: messages.atConstantSpeed },
+  { value: "in", label: messages.slowAtFirst },
+  { value: "out", label: messages.slowAtEnd },
+  { value: "inout", label: messages.slowAtBothEnds },
+  { value: "hold", label: messages.holdThenJump },
 ];
 
 /** What comes after the end. */
 export const LOOPS: readonly { value: Repeat; label: string; description: string; icon: IconName }[] = [
-  { value: "once", label: "Once", description: "It stops at its end", icon: "once" },
+  { value: "once", label: messages.none2, description: messages.stopsAtEnd, icon: "once" },
   {
     value: "round",
-    label: "Round and round",
-    description: "It begins again: the last key goes on to the first, and from the very end it jumps there",
+    label: messages.restart,
+    description: messages.startsAgainLastKeyframe,
     icon: "loop",
   },
-  { value: "pingpong", label: "To and fro", description: "It goes back the way it came", icon: "swing" },
+  {
+    value: "pingpong",
+    label: messages.backAndForth,
+    description: messages.playsInReverseFrom,
+    icon: "swing",
+  },
 ];
 
 export const loopOf = (loop: Repeat) => LOOPS.find(({ value }) => value === loop) ?? LOOPS[0];
@@ -33,10 +39,10 @@ export const secondsWords = (at: number): string => `${formatNumber(at, 2)} s`;
 
 /** Where in time, and whether there is a key. */
 export function momentWords(line: SpaceTimeline | null, at: number): string {
-  if (!line) return `${secondsWords(at)}, nothing moves`;
+  if (!line) return messages.nothingMoves(secondsWords(at));
   const near = keyAt(line, at);
-  const key = near < 0 ? "between keys" : `key ${near + 1} of ${line.keys.length}`;
-  return `${secondsWords(at)} of ${secondsWords(line.seconds)}, ${key}`;
+  const key = near < 0 ? messages.betweenKeyframes2 : messages.keyCount(near + 1, line.keys.length);
+  return messages.momentOf(secondsWords(at), secondsWords(line.seconds), key);
 }
 
 /** What a key says. */
@@ -46,9 +52,11 @@ export function keyWords({ view, moved, maps, bends, t }: SpaceKey): string {
     for (const [i, item] of (list ?? []).entries()) if (item) objects.add(i);
   }
   const parts = [
-    ...(view ? ["the view"] : []),
-    ...(objects.size > 0 ? [objects.size === 1 ? "one object" : `${objects.size} objects`] : []),
-    ...(t === undefined ? [] : [`the morph at ${formatNumber(t, 2)}`]),
+    ...(view ? [messages.view2] : []),
+    ...(objects.size > 0
+      ? [objects.size === 1 ? messages.oneObject : messages.objectsMoved(objects.size)]
+      : []),
+    ...(t === undefined ? [] : [messages.morphAt(formatNumber(t, 2))]),
   ];
-  return parts.length > 0 ? parts.join(", ") : "nothing yet";
+  return parts.length > 0 ? parts.join(", ") : messages.nothingYet;
 }

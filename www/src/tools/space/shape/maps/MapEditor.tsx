@@ -10,6 +10,7 @@ import { Problem } from "#ui/panel/Problem";
 import { MapList, MapTools } from "#ui/shapes/MapList";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../../messages";
 import { MOST_MAPS, withShape } from "../changes";
 import { factsOf, object } from "../now";
 import { presets } from "../object/presets";
@@ -55,7 +56,7 @@ export function MapEditor() {
   /** For a button, whose refusal is told under the list. */
   const press = (next: MapRow3[], then: number, said: string) => {
     const refusal = offer(next);
-    if (refusal !== undefined) return setProblem(`${refusal} The maps stay as they were.`);
+    if (refusal !== undefined) return setProblem(messages.mapsUnchanged(refusal));
     setProblem(null);
     setOpen(then);
     announce(said);
@@ -77,10 +78,7 @@ export function MapEditor() {
   };
   return (
     <div class="stack">
-      <p class="hint">
-        As made, before it was moved. Formulas are read too: 1/3, √3/2, cos 30°.
-        {timeline.value && " With a time line, numbers that you change are kept at this moment."}
-      </p>
+      <p class="hint">{timeline.value ? messages.originalMapsKeyed : messages.originalMaps}</p>
       <MapList
         maps={maps.map(mapWords)}
         open={open}
@@ -93,9 +91,9 @@ export function MapEditor() {
         <Button
           icon="add"
           disabled={maps.length >= MOST_MAPS}
-          onClick={() => press([...maps, half(maps)], maps.length, `Map ${maps.length + 1} is new.`)}
+          onClick={() => press([...maps, half(maps)], maps.length, messages.mapNew(maps.length + 1))}
         >
-          Add a map
+          {messages.addMap}
         </Button>
         {origin && preset === undefined && (
           <Button
@@ -106,14 +104,14 @@ export function MapEditor() {
               const back = { preset: id, name, maps: first };
               if (!reshapeSpace((now) => withShape(now, chosen.peek(), back))) return;
               setProblem(null);
-              announce(`Back to ${name}.`);
+              announce(messages.backToDone(name));
             }}
           >
-            Back to {name}
+            {messages.backTo(name)}
           </Button>
         )}
       </div>
-      {maps.length >= MOST_MAPS && <p class="hint">{MOST_MAPS} maps is the most there may be.</p>}
+      {maps.length >= MOST_MAPS && <p class="hint">{messages.mostMaps(MOST_MAPS)}</p>}
     </div>
   );
 }

@@ -8,6 +8,7 @@ import { MatrixFields } from "#ui/hand/MatrixFields";
 import { ParameterTable } from "#ui/hand/ParameterTable";
 import type { MapRow3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../../messages";
 import { facts, factsOf, made, moved, parameters } from "../now";
 import { TwelveFields } from "./TwelveFields";
 
@@ -34,7 +35,7 @@ export function ObjectHand() {
             key={chosen.value}
             moved={moved.value}
             fields={(map, onChange) => <TwelveFields map={map} onChange={onChange} onDone={() => {}} />}
-            sizes="Volumes"
+            sizes={messages.volumes}
             determinant={determinant3}
             name="object"
             place={placeObject}

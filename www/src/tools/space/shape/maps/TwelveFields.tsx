@@ -2,6 +2,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { useProblems } from "#ui/controls/problems";
 import equationsCss from "#ui/shapes/equations.module.css";
 import type { MapRow3 } from "#wasm/api";
+import * as messages from "../../messages";
 
 interface TwelveFieldsProps {
   map: MapRow3;
@@ -38,8 +39,8 @@ export function TwelveFields({ map, onChange, onDone }: TwelveFieldsProps) {
           <span class={equationsCss["equation-axis"]} aria-hidden="true">
             {axis}′ =
           </span>
-          {AXES.map((from, column) => field(3 * row + column, `New ${axis} from ${from}`, from))}
-          {field(9 + row, `Move along ${axis}`, "+")}
+          {AXES.map((from, column) => field(3 * row + column, messages.newFrom(axis, from), from))}
+          {field(9 + row, messages.moveAlong(axis), "+")}
         </div>
       ))}
       {below}

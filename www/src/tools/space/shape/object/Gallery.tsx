@@ -9,6 +9,7 @@ import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid, type ShapeItem } from "#ui/shapes/ShapeGrid";
 import type { SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../../messages";
 import { object } from "../now";
 import shapeCss from "../shape.module.css";
 import { presets } from "./presets";
@@ -38,16 +39,15 @@ function items(): Item[] {
     ...all,
     {
       id: NATURAL,
-      name: "A natural scene",
-      about:
-        "Hills, trees with bark and leaves, ferns and clouds in evening light, all of them attractors, with the eye at the origin.",
+      name: messages.naturalScene,
+      about: messages.hillsTreesWithBark,
       objects: natural.objects,
       look: natural,
     },
     {
       id: PLANE,
-      name: `${name}, from the plane`,
-      about: "What the Morph tool shows, as a sheet of no thickness at z = 0.",
+      name: messages.fromPlane(name),
+      about: messages.shapeMorphToolAs,
       objects: [{ name, maps: solid.lift(standing.peek()) }],
     },
   ];
@@ -55,7 +55,7 @@ function items(): Item[] {
 
 function note({ objects }: Item): string {
   const [first] = objects;
-  return objects.length > 1 || !first ? `${objects.length} objects` : mapsNote(first);
+  return objects.length > 1 || !first ? messages.objectCount(objects.length) : mapsNote(first);
 }
 
 /**
@@ -84,8 +84,8 @@ export function Gallery({ how: first, onClose }: { how: How | "ask"; onClose: ()
   return (
     <Dialog
       wide
-      title={asked ? `Where is ${asked.name} to stand?` : "Shapes of space"}
-      about={asked ? "Nothing has changed so far." : "Each is a handful of maps, and nothing else."}
+      title={asked ? messages.whereTo(asked.name) : messages.shapesInSpace}
+      about={asked ? messages.nothingHasChangedYet : messages.eachNothingButHandful}
       onClose={onClose}
     >
       {asked && (
@@ -100,17 +100,17 @@ export function Gallery({ how: first, onClose }: { how: How | "ask"; onClose: ()
       <div ref={grid} hidden={asked !== null}>
         <div class={shapeCss["solid-how"]}>
           <Segmented<How | "ask">
-            label="What becomes of what there is"
+            label={messages.placeAs}
             value={how}
             onChange={setHow}
             options={[
               {
                 value: "alone",
-                label: "Alone",
-                description: "Begin anew with it: neither morph nor time line stays",
+                label: messages.newScene,
+                description: messages.startsOverWithWithout,
               },
-              { value: "instead", label: several ? `Instead of ${now?.name}` : "Instead" },
-              { value: "beside", label: "Beside" },
+              { value: "instead", label: several ? messages.insteadOf(now?.name ?? "") : messages.replace },
+              { value: "beside", label: messages.add },
             ]}
           />
           <p class="hint">{WORDS[how]}</p>
@@ -147,24 +147,25 @@ function Question({ item, instead, count, onTake, onBack }: QuestionProps) {
     <ul class={shapeCss["solid-systems"]}>
       <li>
         <Button kind="primary" buttonRef={first} onClick={() => onTake("beside")}>
-          Beside what there is <span class={shapeCss["solid-fate"]}>all {count} stay</span>
+          {messages.add} <span class={shapeCss["solid-fate"]}>{messages.allStay(count)}</span>
         </Button>
       </li>
       {item.objects.length === 1 && (
         <li>
           <Button onClick={() => onTake("instead")}>
-            Instead of {instead} <span class={shapeCss["solid-fate"]}>{instead} leaves</span>
+            {messages.replaceWhat(instead)}{" "}
+            <span class={shapeCss["solid-fate"]}>{messages.oneLeaves(instead)}</span>
           </Button>
         </li>
       )}
       <li>
         <Button onClick={() => onTake("alone")}>
-          Alone <span class={shapeCss["solid-fate"]}>all {count} leave</span>
+          {messages.newScene} <span class={shapeCss["solid-fate"]}>{messages.allLeave(count)}</span>
         </Button>
       </li>
       <li>
         <Button kind="quiet" onClick={onBack}>
-          Back to the shapes
+          {messages.backToShapes}
         </Button>
       </li>
     </ul>
@@ -172,8 +173,8 @@ function Question({ item, instead, count, onTake, onBack }: QuestionProps) {
 }
 
 const WORDS: Record<How | "ask", string> = {
-  ask: "Choose a shape first: what becomes of the objects here is asked then.",
-  alone: "A new beginning: all that was there leaves, and Undo brings it back.",
-  instead: "It takes the place of the chosen object, moved and coloured as that is.",
-  beside: "It stands beside what there is.",
+  ask: messages.firstChooseShapeThen,
+  alone: messages.newSceneAllObjects,
+  instead: messages.replacesSelectedObjectWith,
+  beside: messages.addedToScene,
 };

@@ -10,6 +10,7 @@ import { useOwnId } from "#ui/id";
 import { mapsNote } from "#ui/shapes/ShapeGrid";
 import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
+import * as messages from "../../messages";
 import { MOST_OBJECTS, withoutObject, withTint } from "../changes";
 import { object } from "../now";
 import shapeCss from "../shape.module.css";
@@ -31,17 +32,17 @@ export function ObjectPanel() {
     [name, maps],
   );
   return (
-    <section class="stack" aria-label="Objects">
+    <section class="stack" aria-label={messages.objects}>
       <SubjectCard
         picture={<Thumbnail bitmap={pictures.value.get("chosen")} />}
         name={now?.name}
         about={
           <>
             {now && mapsNote(now)}
-            {now?.preset === undefined ? ", its own" : ""}
+            {now?.preset === undefined ? messages.custom2 : ""}
           </>
         }
-        label={`${now?.name}. Choose another shape`}
+        label={messages.chooseAnother(now?.name ?? "")}
         onChoose={() => setGallery(count > 1 ? "ask" : "alone")}
       />
       {count > 1 && <ObjectList />}
@@ -49,26 +50,22 @@ export function ObjectPanel() {
         <Button
           icon="add"
           popup="dialog"
-          description="Put another object beside what there is"
+          description={messages.addAnotherObjectTo}
           disabled={count >= MOST_OBJECTS}
           onClick={() => setGallery("beside")}
         >
-          Add
+          {messages.add}
         </Button>
-        <Button
-          kind="quiet"
-          description="Maps of space from Fractint and other programs; maps of the plane open in Morph"
-          onClick={() => askForFile()}
-        >
-          Open .ifs…
+        <Button kind="quiet" description={messages.mapsSpaceFromFractint} onClick={() => askForFile()}>
+          {messages.openIfs}
         </Button>
         <Button
           kind="quiet"
           icon="save"
-          description="The parameters as they are now, for Fractint and for Frond"
+          description={messages.currentParametersForFractint}
           onClick={saveFile}
         >
-          Save .ifs
+          {messages.saveIfs}
         </Button>
       </div>
       {gallery && <Gallery how={gallery} onClose={() => setGallery(null)} />}
@@ -81,7 +78,7 @@ function ObjectList() {
   const objects = space.value?.objects ?? [];
   const at = chosen.value;
   return (
-    <div class={shapeCss["solid-objects"]} role="radiogroup" aria-label="The object that is worked on">
+    <div class={shapeCss["solid-objects"]} role="radiogroup" aria-label={messages.selectedObject}>
       {objects.map((one, index) => (
         <div key={index} class={shapeCss["solid-object"]}>
           <label>
@@ -111,8 +108,8 @@ function ObjectTools({ index, tint, name }: { index: number; tint: string | unde
       <input
         type="color"
         class={shapeCss["solid-tint"]}
-        aria-label={`One colour for all of ${name}`}
-        title="One colour for all of it"
+        aria-label={messages.oneColourFor(name)}
+        title={messages.oneColourForWhole}
         value={tint ?? GREY}
         onInput={(event) => {
           const { value } = event.currentTarget;
@@ -123,17 +120,17 @@ function ObjectTools({ index, tint, name }: { index: number; tint: string | unde
       {tint !== undefined && (
         <IconButton
           icon="reset"
-          label="Let its maps have their colours"
+          label={messages.useColoursMaps}
           kind="quiet"
           onClick={() => changeSpace((now) => withTint(now, index, null))}
         />
       )}
       <IconButton
         icon="bin"
-        label={`Remove ${name}`}
+        label={messages.remove(name)}
         kind="quiet"
         onClick={() => {
-          if (reshapeSpace((now) => withoutObject(now, index))) announce(`${name} is removed.`);
+          if (reshapeSpace((now) => withoutObject(now, index))) announce(messages.isRemoved(name));
         }}
       />
     </>

@@ -4,6 +4,7 @@ import { space } from "#document/space/space";
 import { download, plainName } from "#ui/files/download";
 import type { MapRow3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../../messages";
 import { object, parameters } from "../now";
 import { take } from "./take";
 
@@ -11,18 +12,18 @@ import { take } from "./take";
 export function takeFound({ name, maps }: { name: string; maps: MapRow3[] }, said: string): void {
   const several = (space.peek()?.objects.length ?? 1) > 1;
   const there = several
-    ? `${name} stands beside what there is, with ${maps.length} maps.`
-    : `${name} is there, with ${maps.length} maps, in place of what was. Undo brings that back.`;
+    ? messages.addedWithMaps(name, maps.length)
+    : messages.replacedWithMaps(name, maps.length);
   take([{ name, maps }], several ? "beside" : "alone", `${there} ${said}`.trim(), { aloud: true });
 }
 
 /** Saves the parameters as they are now: what was done to the object is in them. */
 export function saveFile(): void {
-  const name = object.peek()?.name ?? "Shape";
+  const name = object.peek()?.name ?? messages.shape;
   try {
     const text = solid.writeIfs3(name, parameters.peek());
     download(new Blob([text], { type: "text/plain" }), `frond-${plainName(name, "shape", 32)}.ifs`);
   } catch (problem) {
-    notify({ kind: "error", text: `${name} could not be saved: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.objectNotSaved(name, wordsOf(problem)) });
   }
 }

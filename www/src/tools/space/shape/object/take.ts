@@ -6,6 +6,7 @@ import { changeSpace, type Look, reshapeSpace, startWith } from "#document/space
 import { choose, chosen, setView, space, spaceFrame } from "#document/space/space";
 import type { SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../../messages";
 import { around, beside, MOST_OBJECTS, withObject, withShape } from "../changes";
 import { factsOf } from "../now";
 
@@ -14,9 +15,9 @@ export type How = "alone" | "instead" | "beside";
 
 /** What was done, where `name` was taken in and `chosen` was the chosen object. */
 export function takenWords(name: string, how: How, chosen: string): string {
-  if (how === "beside") return `${name} stands beside what there is.`;
-  if (how === "instead") return `${name} stands in the place of ${chosen}, moved and coloured as that was.`;
-  return `${name} is alone: all that was there has left.`;
+  if (how === "beside") return messages.isAdded(name);
+  if (how === "instead") return messages.replaces(name, chosen);
+  return messages.isAlone(name);
 }
 
 /** Says what was done; where something has left, with a way back. */
@@ -33,10 +34,10 @@ function tellOf(what: string, left: boolean, aloud: boolean): void {
     else
       notify({
         kind: "info",
-        text: "More has been done since. Undo, in the header, goes back step by step.",
+        text: messages.thereLaterChangesUndo,
       });
   };
-  notify({ kind: "info", text: what, action: { label: "Undo", run: back } });
+  notify({ kind: "info", text: what, action: { label: messages.undo, run: back } });
 }
 
 /**
@@ -63,7 +64,7 @@ export function take(
       if (!reshapeSpace((now) => withShape(now, chosen.peek(), shape))) return;
     } else {
       if ((space.peek()?.objects.length ?? 0) + objects.length > MOST_OBJECTS) {
-        notify({ kind: "error", text: `There may be ${MOST_OBJECTS} objects at most: remove some first.` });
+        notify({ kind: "error", text: messages.mostObjects(MOST_OBJECTS) });
         return;
       }
       const placed = objects.length === 1 ? [besideAll(first)] : objects;
@@ -74,7 +75,7 @@ export function take(
     }
     tellOf(what, how !== "beside" && Boolean(much), aloud);
   } catch (problem) {
-    notify({ kind: "error", text: `${first.name} cannot be taken: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.cannotUse(first.name, wordsOf(problem)) });
   }
 }
 

@@ -6,6 +6,7 @@ import { Problem } from "#ui/panel/Problem";
 import { FlattenedMaps } from "#ui/shapes/FlattenedMaps";
 import type { EpsilonProjection, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../../messages";
 
 const MAPS_SHOWN = 3;
 
@@ -28,7 +29,7 @@ export function Epsilon({ maps, direction, format }: EpsilonProps) {
     <>
       <SliderField
         field={{ step: 0.01 }}
-        label="Thickness left"
+        label={messages.remainingThickness}
         symbol="ε"
         value={epsilon}
         min={-6}
@@ -37,7 +38,7 @@ export function Epsilon({ maps, direction, format }: EpsilonProps) {
         digits={6}
         scale={POWERS}
         onChange={(next) => {
-          if (!(next > 0 && next <= 1)) return "More than 0, and at most 1.";
+          if (!(next > 0 && next <= 1)) return messages.enterNumberAbove0;
           setEpsilon(next);
           return undefined;
         }}
@@ -47,13 +48,12 @@ export function Epsilon({ maps, direction, format }: EpsilonProps) {
       ) : (
         <>
           <p class="hint" role="status">
-            The largest number is {format(found.largest)}. {divergingWords(found.diverging)}
+            {messages.largestNumber(format(found.largest), divergingWords(found.diverging))}
           </p>
           <FlattenedMaps of={found} most={MAPS_SHOWN} />
           <p class="hint">
-            {found.maps.length > MAPS_SHOWN && `The first ${MAPS_SHOWN} of ${found.maps.length} maps. `}
-            In the axes of the shadow: x to the right, y up, z along the light. They are left-handed, so these
-            are the maps of a mirror image.
+            {found.maps.length > MAPS_SHOWN && `${messages.firstOfMaps(MAPS_SHOWN, found.maps.length)} `}
+            {messages.shadowAxes}
           </p>
         </>
       )}

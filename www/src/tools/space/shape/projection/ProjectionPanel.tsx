@@ -8,6 +8,7 @@ import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import type { MapRow, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../../messages";
 import { object, rested } from "../now";
 import shapeCss from "../shape.module.css";
 import { Epsilon } from "./Epsilon";
@@ -44,7 +45,7 @@ function exactly(maps: MapRow3[], along: Point3): { maps: MapRow[] } | { why: st
 
 function towards(next: Point3): string | undefined {
   const along = unit(next);
-  if (!along) return "A direction needs some length.";
+  if (!along) return messages.directionNeedsLength;
   direction.value = along;
   return undefined;
 }
@@ -57,29 +58,29 @@ export function ProjectionPanel() {
   const others = kept.value.filter((one) => !AXES.some((axis) => near(axis, one))).slice(0, 6);
   return (
     <div class="stack">
-      <p class="hint">Light from far away, along {axisWords(now)}: what falls on the wall behind?</p>
-      <fieldset class={shapeCss["solid-buttons"]} aria-label="Direction of the light">
+      <p class="hint">{messages.lightAlong(axisWords(now))}</p>
+      <fieldset class={shapeCss["solid-buttons"]} aria-label={messages.lightDirection}>
         {AXES.map((axis) => (
           <Button key={axisWords(axis)} pressed={near(axis, now)} onClick={() => towards(axis)}>
             {axisWords(axis)}
-            {kept.value.some((one) => near(axis, one)) && <span class="dim"> kept</span>}
+            {kept.value.some((one) => near(axis, one)) && <span class="dim"> {messages.kept}</span>}
           </Button>
         ))}
         {others.map((one) => (
           <Button key={axisWords(one)} pressed={near(one, now)} onClick={() => towards(one)}>
             {axisWords(one)}
-            <span class="dim"> kept</span>
+            <span class="dim"> {messages.kept}</span>
           </Button>
         ))}
         <Button kind="quiet" onClick={fromEye}>
-          As the eye looks
+          {messages.asViewed}
         </Button>
       </fieldset>
       <div class={shapeCss["solid-three"]}>
         {(["x", "y", "z"] as const).map((axis, k) => (
           <NumberField
             key={axis}
-            label={`Direction, ${axis}`}
+            label={messages.directionOf(axis)}
             symbol={axis}
             terse
             value={now[k] ?? 0}
@@ -103,27 +104,22 @@ function fromEye(): void {
 
 function Exact() {
   const found = exact.value;
-  const name = object.value?.name ?? "a shape";
+  const name = object.value?.name ?? messages.shape2;
   if ("maps" in found) {
     const count = found.maps.length;
     const others = different(tidy(found.maps)).length;
     return (
       <>
         <p class="notes" role="status">
-          <strong>
-            This shadow is an IFS of the plane: {count} {count === 1 ? "map" : "maps"}
-            {others < count ? `, of which ${others} differ` : ""}.
-          </strong>
-          <span>
-            Every map keeps the direction, so that what it does to the shadow hangs on the shadow alone.
-          </span>
+          <strong>{others < count ? messages.shadowIsOf(count, others) : messages.shadowIs(count)}</strong>
+          <span>{messages.everyMapKeepsDirection}</span>
         </p>
         <div class={shapeCss["solid-buttons"]}>
           <Button icon="arrow" onClick={() => void takeShadow(name, found.maps, "morph")}>
-            Morph it
+            {messages.morph3}
           </Button>
           <Button icon="arrow" onClick={() => void takeShadow(name, found.maps, "deform")}>
-            Bend it
+            {messages.bend}
           </Button>
         </div>
       </>
@@ -133,12 +129,12 @@ function Exact() {
   return (
     <>
       <p class="notes" role="status">
-        <strong>This shadow is not an IFS of the plane that comes of these maps.</strong>
+        <strong>{messages.frondFindsNoIfs}</strong>
         <span>{found.why}</span>
         <span>
           {few
-            ? "No direction is kept by all of its maps."
-            : `Kept are: ${kept.value.slice(0, 6).map(axisWords).join("; ")}.`}
+            ? messages.noDirectionKeptBy
+            : messages.keptAre(kept.value.slice(0, 6).map(axisWords).join("; "))}
         </span>
       </p>
       <Epsilon maps={rested.value} direction={direction.value} format={(x) => formatNumber(x, 3)} />

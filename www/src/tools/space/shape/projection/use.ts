@@ -7,6 +7,7 @@ import { notify, wordsOf } from "#document/notice";
 import { openTool } from "#document/tool";
 import { inBox } from "#geometry/mesh";
 import type { MapRow, Scene, Shape, Tool } from "#wasm/api";
+import * as messages from "../../messages";
 
 /** Without the dust of a turn: what is nothing is 0, and a half is a half. */
 export function tidy(maps: readonly MapRow[]): MapRow[] {
@@ -28,14 +29,14 @@ export function withA(scene: Scene, shape: Shape, box: Parameters<typeof inBox>[
 
 /** Takes a system of the plane into another tool: one undo step, then the tool. */
 export async function takeShadow(name: string, maps: readonly MapRow[], tool: Tool): Promise<void> {
-  const shape: Shape = { name: `Shadow of ${name}`.slice(0, 60), maps: different(tidy(maps)) };
+  const shape: Shape = { name: messages.shadowOf(name).slice(0, 60), maps: different(tidy(maps)) };
   try {
     const box = boxAround(shape.maps);
     await editSystems((scene) => withA(scene, shape, box));
     selection.value = null;
     openTool(tool);
-    notify({ kind: "info", text: `${shape.name} is shape A now.` });
+    notify({ kind: "info", text: messages.isShapeA(shape.name) });
   } catch (problem) {
-    notify({ kind: "error", text: `This shadow cannot be taken there: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.shadowNotUsed(wordsOf(problem)) });
   }
 }

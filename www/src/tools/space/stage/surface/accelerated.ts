@@ -3,6 +3,7 @@ import { media } from "#style/media";
 import type { SpaceLook } from "#wasm/space";
 import type { SpaceRenderer } from "#wasm/space-renderer";
 import { objectAt, type Relief } from "#workers/space/picture";
+import * as messages from "../../messages";
 import { Detail, HANDHELD } from "./detail";
 import { castsShadows, Still } from "./still";
 import { type Completed, lookOf, type Surface, sameLight, sameView, type Wanted } from "./surface";
@@ -67,13 +68,14 @@ export class Accelerated implements Surface {
     for (const factor of wanted.factor === 2 ? ([1, 2] as const) : ([1] as const)) {
       const relief = await this.#carved.relief(wanted, factor, signal);
       const image = castsShadows(wanted) ? await this.#carved.lit(wanted, factor, relief, signal) : null;
-      if (signal.aborted || this.#freed) throw { code: "stopped", message: "Something else was asked for." };
+      if (signal.aborted || this.#freed)
+        throw { code: "stopped", message: messages.anotherPictureWasRequested };
       // The light may have changed meanwhile.
       this.#light(this.#given ?? wanted, 1, factor);
       if (!this.#renderer.setStill(relief.width, relief.height, relief.depth, relief.codes)) {
         // A graphics card that takes no picture as large as this shows the one that it has.
         if (factor === 2) return this.#light(this.#given ?? wanted, 1, 1);
-        throw new Error("The graphics card takes no picture of this size. Make the window smaller.");
+        throw new Error(messages.graphicsCardCannotDraw);
       }
       this.#still = factor;
       this.#renderer.draw();

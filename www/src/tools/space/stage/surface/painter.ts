@@ -1,6 +1,7 @@
 import { notify, wordsOf } from "#document/notice";
 import type { PainterBackend } from "#stage/surface/painter";
 import type { Pixels } from "#stage/surface/surface";
+import * as messages from "../../messages";
 import { openSurface } from "./open";
 import type { Surface, Wanted } from "./surface";
 
@@ -72,7 +73,7 @@ export class SpacePainter {
   }
 
   async pixels(): Promise<Pixels> {
-    if (!this.#surface) throw new Error("There is no picture yet.");
+    if (!this.#surface) throw new Error(messages.thereNoPictureYet);
     return this.#surface.pixels();
   }
 
@@ -120,7 +121,7 @@ export class SpacePainter {
     void this.#open().then(() => {
       notify({
         kind: "info",
-        text: `The graphics device was lost (${reason}); the picture has been drawn anew.`,
+        text: messages.deviceLost(reason),
       });
       // Freed after its successor stands: its canvas shows the last picture until then.
       surface.free();
@@ -165,7 +166,7 @@ export class SpacePainter {
       if (this.#completing === call) this.#set({ settled: true });
     } catch (problem) {
       if (call.signal.aborted || this.#closed) return;
-      notify({ kind: "error", text: `The complete picture could not be made: ${wordsOf(problem)}` });
+      notify({ kind: "error", text: messages.notComplete(wordsOf(problem)) });
     } finally {
       if (this.#completing === call) this.#completing = null;
     }

@@ -2,6 +2,7 @@ import type { PainterBackend } from "#stage/surface/painter";
 import type { Pixels } from "#stage/surface/surface";
 import { pictureInBands } from "#workers/space/bands";
 import { objectAt, type PictureRequest, type Relief } from "#workers/space/picture";
+import * as messages from "../../messages";
 import { Pace } from "./pace";
 import { Still } from "./still";
 import { type Completed, lookOf, type Surface, sameView, type Wanted } from "./surface";
@@ -88,7 +89,7 @@ export class Plain implements Surface {
       for (const factor of wanted.factor === 2 ? ([1, 2] as const) : ([1] as const)) {
         const relief = await this.#still.relief(wanted, factor, signal);
         const image = await this.#still.lit(wanted, factor, relief, signal);
-        if (signal.aborted) throw { code: "stopped", message: "Something else was asked for." };
+        if (signal.aborted) throw { code: "stopped", message: messages.anotherPictureWasRequested };
         this.#put(image, wanted);
         this.#seen = relief;
         onShown({ empty: relief.empty });
@@ -125,7 +126,7 @@ export class Plain implements Surface {
   async pixels(): Promise<Pixels> {
     const { width, height } = this.canvas;
     const image = this.canvas.getContext("2d")?.getImageData(0, 0, width, height);
-    if (!image) throw new Error("There is no picture yet.");
+    if (!image) throw new Error(messages.thereNoPictureYet);
     return { width, height, data: image.data };
   }
 

@@ -4,6 +4,7 @@ import { changeTimeline } from "#document/space/edits";
 import { spaceFrame, spaceView, timeline } from "#document/space/space";
 import type { Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../../messages";
 import { pauseSpace, presentSpace } from "../clock";
 import { attempt } from "../keys/keys";
 import { secondsWords } from "../words";
@@ -19,8 +20,8 @@ export function fly(how: "through" | "around"): void {
     const views = how === "around" ? aroundOf(view, ball) : throughOf(view, ball);
     changeTimeline(() => withFlight(timeline.peek(), views));
     const seconds = timeline.peek()?.seconds ?? 0;
-    const hint = reducedMotion.peek() ? " Press Play to see it." : "";
-    announce(`A flight of ${secondsWords(seconds)} with ${views.length} keys.${hint}`);
+    const hint = reducedMotion.peek() ? messages.pressPlayToSee : "";
+    announce(messages.flightOf(secondsWords(seconds), views.length, hint));
     presentSpace();
   });
 }

@@ -1,6 +1,7 @@
 import { changeTimeline } from "#document/space/edits";
 import { Menu } from "#ui/overlay/Menu";
 import type { SpaceKey } from "#wasm/api";
+import * as messages from "../../messages";
 import { withEase } from "../changes";
 import { EASES, easeWords } from "../words";
 import { attempt } from "./keys";
@@ -8,9 +9,9 @@ import { attempt } from "./keys";
 /** How it goes on from a key to the next one. */
 export function EaseMenu({ of, index }: { of: SpaceKey; index: number }) {
   return (
-    <div title={`From key ${index + 1} on: ${easeWords(of.ease)}`}>
+    <div title={messages.easeFrom(index + 1, easeWords(of.ease))}>
       <Menu
-        label={`Pace after key ${index + 1}: ${easeWords(of.ease)}`}
+        label={messages.easeAfter(index + 1, easeWords(of.ease))}
         icon="arrow"
         items={EASES.map(({ value, label }) => ({
           label,

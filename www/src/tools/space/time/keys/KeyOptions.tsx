@@ -2,6 +2,7 @@ import { endGesture } from "#document/scene";
 import { changeTimeline } from "#document/space/edits";
 import { lookingAround, space, timeline } from "#document/space/space";
 import { Button, IconButton } from "#ui/controls/Button";
+import * as messages from "../../messages";
 import { MOST_KEYS, withKeyAt } from "../changes";
 import { pauseSpace, scrubSpace } from "../clock";
 import { MomentField, type Problems } from "../TimeNumbers";
@@ -20,7 +21,7 @@ export function KeyOptions({ problems }: Problems) {
     <div class={timeCss["key-numbers"]}>
       <MomentField
         {...(problems ? { problems } : {})}
-        label={`Key ${here + 1} of ${line.keys.length}`}
+        label={messages.keyOf(here + 1, line.keys.length)}
         value={key.at}
         seconds={line.seconds}
         onChange={(to) => {
@@ -31,7 +32,12 @@ export function KeyOptions({ problems }: Problems) {
         onDone={endGesture}
       />
       <EaseMenu of={key} index={here} />
-      <IconButton icon="bin" label={`Delete key ${here + 1}`} kind="quiet" onClick={() => removeKey(here)} />
+      <IconButton
+        icon="bin"
+        label={messages.deleteKey(here + 1)}
+        kind="quiet"
+        onClick={() => removeKey(here)}
+      />
     </div>
   );
 }
@@ -40,15 +46,13 @@ export function KeyOptions({ problems }: Problems) {
 export function SetKey({ short = false }: { short?: boolean }) {
   const line = timeline.value;
   const full = line !== null && line.keys.length >= MOST_KEYS && keyHere.value < 0;
-  const description = full
-    ? `There are ${MOST_KEYS} keys already`
-    : "Keep the view, the place of each object and the morph at this moment";
+  const description = full ? messages.keysFull(MOST_KEYS) : messages.keepsViewPlaceEach;
   if (short) {
     return (
       <IconButton
         icon="add"
-        label="Set key"
-        description="keep what is now at this moment"
+        label={messages.setKeyframe2}
+        description={messages.keepCurrentStateAt}
         disabled={full || !space.value}
         command="key"
         onClick={setKey}
@@ -65,7 +69,7 @@ export function SetKey({ short = false }: { short?: boolean }) {
       command="key"
       onClick={setKey}
     >
-      {lookingAround.value ? "Set key to this view" : "Set key"}
+      {lookingAround.value ? messages.setKeyframeToThis : messages.setKeyframe2}
     </Button>
   );
 }

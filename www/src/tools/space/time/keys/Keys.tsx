@@ -3,6 +3,7 @@ import { changeTimeline } from "#document/space/edits";
 import { moment, timeline } from "#document/space/space";
 import { KeyTrack } from "#ui/strip/KeyTrack";
 import type { SpaceTimeline } from "#wasm/api";
+import * as messages from "../../messages";
 import { keyAt, withKeyAt } from "../changes";
 import { pauseSpace, scrubSpace } from "../clock";
 import { easeWords, keyWords, secondsWords } from "../words";
@@ -36,7 +37,7 @@ export function Keys({ line }: { line: SpaceTimeline }) {
   const here = keyHere.value;
   return (
     <KeyTrack
-      label="Keys"
+      label={messages.keyframes}
       keys={line.keys}
       length={line.seconds}
       here={here}
@@ -45,10 +46,10 @@ export function Keys({ line }: { line: SpaceTimeline }) {
       about={(index) => {
         const key = line.keys[index];
         if (!key) return {};
-        const words = `${secondsWords(key.at)}: ${keyWords(key)}; then ${easeWords(key.ease)}`;
+        const words = messages.keyAbout(secondsWords(key.at), keyWords(key), easeWords(key.ease));
         return {
-          "aria-label": `Key ${index + 1} of ${line.keys.length}, at ${words}`,
-          title: `Key ${index + 1} at ${words}. Arrows move it, Delete removes it.`,
+          "aria-label": messages.keyOfAt(index + 1, line.keys.length, words),
+          title: messages.keyKeys(index + 1, words),
           ...(index === here ? { "aria-current": "true" as const } : {}),
         };
       }}

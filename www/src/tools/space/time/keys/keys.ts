@@ -2,6 +2,7 @@
 import { announce, notify, wordsOf } from "#document/notice";
 import { addKey, changeTimeline, EMPTY_LINE, endTimeline } from "#document/space/edits";
 import { moment, space, timeline } from "#document/space/space";
+import * as messages from "../../messages";
 import { keyAt, MOST_KEYS, momentIn, nextKey, stretched, withoutKey } from "../changes";
 import { pauseSpace, scrubSpace } from "../clock";
 import { keyWords, secondsWords } from "../words";
@@ -25,7 +26,7 @@ export function setKey(): void {
   const at = momentIn(line ?? space.peek()?.timeline ?? EMPTY_LINE, moment.peek());
   if (at !== moment.peek()) scrubSpace(at);
   if (line && line.keys.length >= MOST_KEYS && keyAt(line, at) < 0) {
-    notify({ kind: "error", text: `There are ${MOST_KEYS} keys already. Delete one first.` });
+    notify({ kind: "error", text: messages.keysLimit(MOST_KEYS) });
     return;
   }
   attempt(() => {
@@ -34,7 +35,7 @@ export function setKey(): void {
     const index = after ? keyAt(after, at) : -1;
     const key = after?.keys[index];
     if (after && key) {
-      announce(`Key ${index + 1} of ${after.keys.length} at ${secondsWords(at)}: ${keyWords(key)}.`);
+      announce(messages.keySet(index + 1, after.keys.length, secondsWords(at), keyWords(key)));
     }
   });
 }
@@ -45,7 +46,7 @@ export function removeKey(index: number): void {
   if (!attempt(() => (last ? endTimeline() : changeTimeline((line) => withoutKey(line, index))))) return;
   const left = timeline.peek()?.keys.length ?? 0;
   announce(
-    `Key ${index + 1} deleted. ${left === 0 ? "Nothing moves any more; all stays where it is." : `${left} left.`}`,
+    messages.keyDeleted(index + 1, left === 0 ? messages.nothingMovesAnyMore : messages.keysLeft(left)),
   );
 }
 
@@ -53,7 +54,7 @@ export function removeKey(index: number): void {
 export function removeAllKeys(): void {
   pauseSpace();
   if (!attempt(endTimeline)) return;
-  notify({ kind: "info", text: "All keys are gone, and all stays where it is now. Undo brings them back." });
+  notify({ kind: "info", text: messages.allKeyframesRemovedAnd });
 }
 
 export function goToKey(by: 1 | -1): void {
@@ -69,9 +70,9 @@ export function stretch(factor: number): void {
   attempt(() => changeTimeline((line) => stretched(line, factor)));
   const after = timeline.peek();
   if (!after || after === before) {
-    notify({ kind: "info", text: "That would be too long, too short, or keys would meet." });
+    notify({ kind: "info", text: messages.thisWouldTooLong });
     return;
   }
   scrubSpace(at * factor);
-  announce(`The time line is ${secondsWords(after.seconds)} long now.`);
+  announce(messages.timelineNow(secondsWords(after.seconds)));
 }

@@ -3,6 +3,7 @@ import { edit } from "#document/scene";
 import type { Space } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { Frames } from "#workers/space/frames";
+import * as messages from "../../messages";
 import { pauseSpace } from "../clock";
 import { type Kept, MOST_BYTES, readSaved, type SavedFrames } from "./saved";
 import { keysOf, madeOf } from "./saved-frames";
@@ -22,15 +23,14 @@ export function openAnimation(): void {
 /** Opens it in place of what there is, or says why it cannot: then nothing changes. */
 export async function takeAnimation(file: File): Promise<void> {
   try {
-    if (file.size > MOST_BYTES)
-      throw new Error("This file is larger than 64 MB. Save it with fewer frames, or as “Shapes and keys”.");
+    if (file.size > MOST_BYTES) throw new Error(messages.thisFileLargerThan);
     const found = readSaved(await file.text());
     if ("problem" in found) throw new Error(found.problem);
     const { kept, what } = "frames" in found ? opened(found) : { kept: found, what: "" };
-    if (!unpacked(kept)) throw new Error("This file is damaged. Save the animation again, and open that.");
+    if (!unpacked(kept)) throw new Error(messages.thisFileDamagedSave);
     pauseSpace();
     edit((now) => ({ ...now, space: kept }));
-    notify({ kind: "info", text: `Opened ${file.name}.${what}` });
+    notify({ kind: "info", text: messages.opened(file.name, what) });
   } catch (problem) {
     notify({ kind: "error", text: wordsOf(problem) });
   }
@@ -46,7 +46,7 @@ function opened(file: SavedFrames): { kept: Kept; what: string } {
   const packed = solid.packSpace(made.space);
   // What cannot be played is told now.
   new solid.SpaceMotion(made.space).free();
-  return { kept: { packed, at: 0 }, what: ` Each of its ${file.frames.length} frames is a key.` };
+  return { kept: { packed, at: 0 }, what: messages.eachFrame(file.frames.length) };
 }
 
 function isMadeOf(file: SavedFrames, { view }: Kept, space: Space): boolean {

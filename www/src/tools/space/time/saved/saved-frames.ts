@@ -2,6 +2,7 @@
 
 import type { MapRow3, Repeat, Space, SpaceFrame, SpaceKey, SpaceView } from "#wasm/api";
 import { type FrameRecord, frameRecord } from "#workers/space/frames";
+import * as messages from "../../messages";
 import { MOST_KEYS, SHORTEST } from "../changes";
 import { viewIn } from "./saved-view";
 
@@ -27,22 +28,22 @@ const isRow = (row: unknown): row is MapRow3 =>
 
 /** The frames of a file, or what is wrong with the first that is none. */
 export function readFrames(record: Item, list: readonly unknown[]): FramesRead | { problem: string } {
-  if (list.length === 0) return { problem: "There is no frame in this file." };
+  if (list.length === 0) return { problem: messages.thisFileContainsNo };
   if (list.length > MOST_FRAMES) {
-    return { problem: `This file has ${list.length} frames, and ${MOST_FRAMES} is the most. Save fewer.` };
+    return { problem: messages.tooManyFrames(list.length, MOST_FRAMES) };
   }
   const fps = isNumber(record["fps"]) && record["fps"] > 0 ? record["fps"] : 30;
   const frames: FrameRecord[] = [];
   for (const [i, value] of list.entries()) {
     const frame = readFrame(itemOf(value), i / fps);
-    if (typeof frame === "string") return { problem: `Frame ${i + 1} of this file ${frame}` };
+    if (typeof frame === "string") return { problem: messages.frameProblem(i + 1, frame) };
     const before = frames.at(-1);
     if (before && !(frame.time > before.time)) {
-      return { problem: `Frame ${i + 1} of this file is not later than the one before it.` };
+      return { problem: messages.frameNotLater(i + 1) };
     }
     if (before && before.objects.length !== frame.objects.length) {
       return {
-        problem: `Frame ${i + 1} of this file has ${frame.objects.length} objects, and the one before it ${before.objects.length}: each needs all of them.`,
+        problem: messages.frameObjects(i + 1, frame.objects.length, before.objects.length),
       };
     }
     frames.push(frame);
@@ -56,22 +57,22 @@ export function readFrames(record: Item, list: readonly unknown[]): FramesRead |
 /** A frame, or what is wrong with it. */
 function readFrame(item: Item, time: number): FrameRecord | string {
   const at = item["time"] ?? time;
-  if (!isNumber(at) || at < 0) return "has a time that is no number of seconds.";
+  if (!isNumber(at) || at < 0) return messages.hasTimeNotNumber;
   const objects = item["objects"];
   if (!Array.isArray(objects) || objects.length === 0 || objects.length > MOST_OBJECTS) {
-    return `does not have 1 to ${MOST_OBJECTS} objects.`;
+    return messages.needsObjects(MOST_OBJECTS);
   }
   const read: FrameRecord["objects"] = [];
   for (const [k, value] of objects.entries()) {
     const { name, maps } = itemOf(value);
     if (!Array.isArray(maps) || maps.length === 0 || !maps.every(isRow)) {
-      return `has no parameters of object ${k + 1}: each of its maps is a list of 12 numbers.`;
+      return messages.needsParameters(k + 1);
     }
-    read.push({ name: typeof name === "string" && name !== "" ? name : `Object ${k + 1}`, maps });
+    read.push({ name: typeof name === "string" && name !== "" ? name : messages.objectOf(k + 1), maps });
   }
   const { eye, ...rest } = itemOf(item["view"]);
   const view = viewIn({ ...rest, distance: distanceTo(rest["target"], eye) });
-  if (!view) return "does not say where it is seen from: an eye, a target, a turn, a tilt and an angle.";
+  if (!view) return messages.doesNotSayWhere;
   const { target, turn, tilt, angle } = view;
   return {
     time: at,
@@ -113,10 +114,10 @@ export function keysOf(
   { light, background }: Pick<Space, "light" | "background">,
 ): { space: Space } | { problem: string } {
   const [first] = frames;
-  if (!first) return { problem: "There is no frame in this file." };
+  if (!first) return { problem: messages.thisFileContainsNo };
   if (frames.length > MOST_KEYS) {
     return {
-      problem: `These ${frames.length} frames are of no keys that Frond knows, or were changed, and a time line holds ${MOST_KEYS}. Leave out some of them.`,
+      problem: messages.tooManyKeys(frames.length, MOST_KEYS),
     };
   }
   const moves = first.objects.map(({ maps }, k) =>

@@ -19,7 +19,7 @@ it("says what is wrong with other files", () => {
     const read = readSaved(text);
     return "problem" in read ? read.problem : "";
   };
-  expect(problem("<svg>")).toContain("no JSON");
+  expect(problem("<svg>")).toContain("not a JSON");
   expect(problem("null")).toContain("no animation");
   expect(problem('{"frond":"space"}')).toContain("no animation");
   expect(problem('{"fps":30,"frames":[]}')).toContain("no frame");

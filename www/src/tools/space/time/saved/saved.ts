@@ -1,5 +1,6 @@
 /** An animation as a file that Frond reads again: shapes and keys, or every frame. */
 import type { Space, SpaceView } from "#wasm/api";
+import * as messages from "../../messages";
 import { type FramesRead, readFrames } from "./saved-frames";
 import { viewIn } from "./saved-view";
 
@@ -34,7 +35,7 @@ export function readSaved(text: string): Kept | SavedFrames | { problem: string 
   try {
     found = JSON.parse(text);
   } catch {
-    return { problem: "This is no JSON file, or a damaged one. Choose one that the export of space saved." };
+    return { problem: messages.thisNotJsonFile };
   }
   const record = typeof found === "object" && found !== null ? (found as Record<string, unknown>) : {};
   const kept = keptIn(record);
@@ -44,7 +45,7 @@ export function readSaved(text: string): Kept | SavedFrames | { problem: string 
   }
   if (record["frond"] !== "space" || !kept) {
     return {
-      problem: "There is no animation of space in this file. Choose one that the export of space saved.",
+      problem: messages.thisFileContainsNoAnimation,
     };
   }
   return kept;
