@@ -35,7 +35,7 @@ test.describe("with proofs of what is seen", () => {
     expect((await stage.boundingBox())?.width).toBeLessThan((before?.width ?? 0) / 2);
     await studio.idle();
     expect((await studio.look()).lit).toBeGreaterThan(1000);
-    await expect(page.getByText("no gap seen, checked to 1/1200 of its size")).toBeVisible();
+    await expect(page.getByText("no gap seen (checked to 1/1200 of its size)")).toBeVisible();
     // It is taken hold of as in its panel.
     const { x, y } = await studio.place(-0.5, 1.5);
     await page.mouse.click(x, y);
@@ -43,7 +43,7 @@ test.describe("with proofs of what is seen", () => {
     await page.keyboard.press("Escape");
     await expect.poll(width).toBe(small);
     expect(await stage.boundingBox()).toEqual(before);
-    await expect(page.getByText("no gap seen, checked to 1/600 of its size")).toBeVisible();
+    await expect(page.getByText("no gap seen (checked to 1/600 of its size)")).toBeVisible();
   });
 });
 

@@ -105,3 +105,5 @@ export const pictureKeys = (what: string, more: string) =>
 export const curve = "curve";
 export const attractor = "attractor";
 export const describeKey = " D describes it.";
+export const noGapTo = (noGap: string, resolution: string) =>
+  `${noGap} (checked to ${resolution} of its size)`;

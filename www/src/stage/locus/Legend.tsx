@@ -54,9 +54,9 @@ const textOf = (state: number, epsilon?: number) => lowered(verdictWords(toldOf(
 const APART = textOf(STATE.disconnected);
 
 function wordsOf(state: number, epsilon: number): string {
-  return state === STATE.hidden
-    ? messages.apartUnder(APART, resolutionWords(epsilon))
-    : textOf(state, epsilon);
+  if (state === STATE.hidden) return messages.apartUnder(APART, resolutionWords(epsilon));
+  if (state === STATE.touching) return messages.noGapTo(textOf(state, epsilon), resolutionWords(epsilon));
+  return textOf(state, epsilon);
 }
 
 /** All is only said where all is. */

@@ -186,7 +186,7 @@ export const corners = "Corners";
 export const enterWholeNumber = "Enter a whole number.";
 
 export const thirdParameter = "Third parameter:";
-export const leadsBy = (w: string) => `stretch leads rotation by w = ${w}`;
+export const leadsBy = (w: string) => `w = ${w}`;
 export const wLabel = "Stretch leads rotation by w";
 export const wTogether = "0: stretch and rotation together";
 export const wField = "stretch leads rotation by w";
