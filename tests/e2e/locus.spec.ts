@@ -4,7 +4,7 @@ import { expect, test } from "./fixture";
 const DRAGON = "a=dragon-3&b=gasket&path=straight&t=0.5";
 
 /** The field itself, which takes keys. */
-const plane = (page: Page): Locator => page.getByRole("application", { name: /^Map of / });
+const plane = (page: Page): Locator => page.getByRole("application", { name: /^Locus over / });
 
 /** How the field is painted, as one number, once nothing is being worked out. */
 function painted(page: Page): Promise<number> {

@@ -43,7 +43,7 @@ test("maps are changed by hand, by numbers and by keys, and their number, too", 
       await a.fill(bad);
       await a.press("Enter");
       await expect(a).toHaveAttribute("aria-invalid", "true");
-      await expect(page.getByRole("alert").filter({ hasText: "Kept: 0.43301." })).toBeVisible();
+      await expect(page.getByRole("alert").filter({ hasText: "Still 0.43301." })).toBeVisible();
       expect((await studio.scene()).a).toEqual(good);
     }
     await a.press("Escape");

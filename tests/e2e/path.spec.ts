@@ -46,7 +46,7 @@ test("a waypoint is moved by the mouse, by numbers and by keys", async ({ studio
       await u.fill(bad);
       await u.press("Enter");
       await expect(u).toHaveAttribute("aria-invalid", "true");
-      await expect(u).toHaveAccessibleDescription(/Kept: 0\.75/);
+      await expect(u).toHaveAccessibleDescription(/Still 0\.75/);
     }
     expect((await studio.scene()).path.points[1]).toEqual([0.75, 0.9]);
     await u.press("Escape");

@@ -4,7 +4,9 @@ test("a path is proved end to end, until it changes", async ({ studio, page }) =
   await studio.open("a=gasket&b=gasket&path=drawn:0.5,0.5");
   await studio.idle();
   await page.getByRole("button", { name: "Try to prove the whole path" }).click();
-  await expect(page.getByText(/moment of this path.* in [\d,]+ steps?\./)).toBeVisible();
+  await expect(
+    page.getByText(/Proved in [\d,]+ steps?: no moment|moment of this path, in [\d,]+ steps?\./),
+  ).toBeVisible();
   await studio.way(1).focus();
   await page.keyboard.press("ArrowRight");
   await expect(page.getByRole("button", { name: "Try to prove the whole path" })).toBeVisible();
@@ -84,7 +86,7 @@ test("where the plane has no path, the third parameter has one", async ({ studio
   await expect(page.locator(".worst-mark")).toBeAttached();
   const third = page.getByRole("switch", { name: /third parameter/ });
   await third.check();
-  await expect(words).toHaveText(/all the way\.|moments looked at\./);
+  await expect(words).toHaveText(/anywhere on the path\.|along the whole path\.|sampled moments?\./);
   const { points } = (await studio.scene()).path;
   expect(points.some(([, , w = 0]) => w !== 0)).toBe(true);
   await third.uncheck();

@@ -97,7 +97,7 @@ test("time goes by the mouse, by itself, by the film and by numbers", async ({ s
     await field.fill("140");
     await field.press("Enter");
     await expect(field).toHaveAttribute("aria-invalid", "true");
-    await expect(field).toHaveAccessibleDescription(/100.*Kept: 37\.5/);
+    await expect(field).toHaveAccessibleDescription(/100.*Still 37\.5/);
     expect((await studio.scene()).t).toBe(0.375);
     // What was made by hand is an undo step; a moment is none.
     await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();

@@ -632,3 +632,6 @@ export const to = "to";
 export const reads =
   "PNG, JPEG, WebP, SVG, CSV, TPS, GeoJSON, TopoJSON, or JSON from COCO, LabelMe, VIA or QuPath";
 export const dragMode = "Drag mode";
+
+export const errorAndAmount = (error: string, amount: string) => `${error} error, ${amount}`;
+export const stoppedAt = (error: string, amount: string) => `Stopped: ${error} error, ${amount}`;

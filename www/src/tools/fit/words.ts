@@ -51,7 +51,7 @@ export const statusWords: ReadonlySignal<string> = computed(() => {
   const done = shownFigures.value;
   const numbers = messages.numbersOf(numbersOf(closed.curve));
   if (!done?.figures) return numbers;
-  return `${cancelled.value ? "Stopped: " : ""}${percent(done.figures.rms)} off, ${numbers}`;
+  return (cancelled.value ? messages.stoppedAt : messages.errorAndAmount)(percent(done.figures.rms), numbers);
 });
 
 /** The same of a fit within so many bytes that is not under way. */
@@ -61,7 +61,7 @@ function withinWords(): string {
   if (done?.asked !== asked) return cancelled.value ? messages.stoppedBeforeFirstFit : messages.fitting;
   const bytes = messages.bytes(done.bytes.toLocaleString("en-GB"));
   if (!done.figures) return bytes;
-  return `${cancelled.value ? "Stopped: " : ""}${percent(done.figures.rms)} off, ${bytes}`;
+  return (cancelled.value ? messages.stoppedAt : messages.errorAndAmount)(percent(done.figures.rms), bytes);
 }
 
 export const METHODS: Record<Method, { name: string; about: string }> = {
