@@ -21,7 +21,7 @@ async function keepLeaf(tool: FitTool, page: Page): Promise<void> {
   await page.getByRole("button", { name: "Fit this outline" }).click();
   await tool.fitted();
   await shelf(page).getByRole("button", { name: "Save this fit" }).click();
-  await expect(row(page, "leaf")).toContainText(/off · \d+ numbers · \d+ bytes/);
+  await expect(row(page, "leaf")).toContainText(/error · \d+ numbers · \d+ bytes/);
   await expect(shelf(page).getByRole("button", { name: "Saved" })).toBeDisabled();
 }
 

@@ -40,7 +40,7 @@ test("what is seen first is a leaf with its fit, and the slider changes it", asy
   await page.getByRole("button", { name: "Undo", exact: true }).click();
   await expect.poll(async () => (await tool.scene()).fit?.numbers).toBe(24);
   // What was fitted before is there at once.
-  await expect(tool.status).toHaveText(/off, (1|2)\d numbers$/);
+  await expect(tool.status).toHaveText(/error, (1|2)\d numbers$/);
   await page.getByRole("button", { name: "Oak leaf" }).click();
   await expect(card(page)).toHaveText("Oak leaf");
   await tool.fitted();
@@ -55,7 +55,7 @@ test("a fit within so many bytes is told beside others of as many, and a link ho
   await tool.fitted();
   await page.getByRole("radio", { name: "Limited bytes" }).check({ force: true });
   await page.getByRole("radio", { name: "50", exact: true }).check({ force: true });
-  await expect(tool.status).toHaveText(/off, (4|50?)\d? bytes$/, { timeout: 60_000 });
+  await expect(tool.status).toHaveText(/error, (4|50?)\d? bytes$/, { timeout: 60_000 });
   await expect(page.getByTestId("chart")).toContainText("Fourier", { timeout: 60_000 });
   const { fit } = await tool.scene();
   expect(fit).toMatchObject({ model: "spline", bytes: 50, spline: { name: "Maple leaf" } });
@@ -281,16 +281,16 @@ test("the paper's fit has gaps that are shown and said, and tied ends have none"
   const tool = new FitTool(page);
   await tool.open();
   await page.getByRole("radio", { name: "As in the paper (collage)" }).check({ force: true });
-  await expect(tool.status).toHaveText(/off, 290 numbers$/);
+  await expect(tool.status).toHaveText(/error, 290 numbers$/);
   await expect(page.getByTestId("gaps")).toHaveText(/the widest gap is \d.*%/);
   await page.getByRole("switch", { name: "Tie the ends of the pieces" }).check({ force: true });
   await expect(page.getByTestId("gaps")).toHaveText(/no gaps/);
   await page.getByRole("button", { name: "52 maps" }).click();
-  await expect(tool.status).toHaveText(/off, 520 numbers$/);
+  await expect(tool.status).toHaveText(/error, 520 numbers$/);
   await page.getByRole("radio", { name: "anywhere" }).check({ force: true });
   await page.getByRole("radio", { name: "apart" }).check({ force: true });
   // Two numbers fewer for each map: none goes from x to y, or from y to x.
-  await expect(tool.status).toHaveText(/off, 416 numbers$/);
+  await expect(tool.status).toHaveText(/error, 416 numbers$/);
   const field = page.getByRole("spinbutton", { name: "Feature points" });
   await field.fill("60");
   await field.press("Enter");
