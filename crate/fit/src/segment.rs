@@ -40,7 +40,6 @@ use colour_cut::ColourCut;
 use components::{NONE, fill_holes, parts};
 use fine_edge::fine_edge;
 use morphology::{close_slits, drop_thin, remove_stalks};
-use otsu::{histogram, quantile};
 use threshold::{Choice, choose};
 
 /// The most pixels that are worked on: some 100 MiB are needed meanwhile.
@@ -102,9 +101,6 @@ struct Reading {
     rgba: Vec<u8>,
     choice: Option<Choice>,
     cut: OnceLock<ColourCut>,
-    dark: bool,
-    /// The values that all but a 200th lie between.
-    range: (f64, f64),
 }
 
 impl Tracer {
@@ -206,11 +202,9 @@ fn next_frame(
     height: usize,
     before: Option<&Framed>,
 ) -> Option<(Reading, Bits, Surround)> {
-    let clear = frame::of_clear(rgba, width, height);
     // What is cut out of its ground is the shape, unless it is a card with a leaf on it.
-    let is_cut_out = threshold::is_cut_out(rgba);
-    let coloured = if is_cut_out { Vec::new() } else { frame::of_colour(rgba, width, height) };
-    clear.into_iter().chain(coloured).find_map(|found| {
+    let frames = frame::likely(rgba, width, height, !threshold::is_cut_out(rgba));
+    frames.into_iter().find_map(|found| {
         let mut around = found.around;
         if let Some(before) = before {
             around.on.iter_mut().zip(&before.around.on).for_each(|(on, before)| *on |= before);
@@ -264,14 +258,14 @@ impl Framed {
 impl Reading {
     fn new(width: usize, height: usize, rgba: Vec<u8>) -> Self {
         let choice = choose(&rgba, width, height);
-        let light =
-            rgba.chunks_exact(4).map(|p| p[..3].iter().map(|&v| u64::from(v)).sum::<u64>()).sum::<u64>();
-        let range = choice.as_ref().map_or((0.0, 255.0), |choice| {
-            let counts = histogram(&choice.likeness);
-            (f64::from(quantile(&counts, 0.005)), f64::from(quantile(&counts, 0.995)))
-        });
-        let dark = light < 3 * 40 * (width * height) as u64;
-        Self { width, height, rgba, choice, cut: OnceLock::new(), dark, range }
+        Self { width, height, rgba, choice, cut: OnceLock::new() }
+    }
+
+    /// Whether there is little light in all of it.
+    fn is_dark(&self) -> bool {
+        let pixels = self.rgba.chunks_exact(4);
+        let light: u64 = pixels.map(|p| p[..3].iter().map(|&v| u64::from(v)).sum::<u64>()).sum();
+        light < 3 * 40 * (self.width * self.height) as u64
     }
 
     /// Whether anything stands out.
@@ -371,7 +365,7 @@ impl Reading {
 
     /// What is found without a brush.
     fn find(&self, choice: &Choice, offset: f64, options: &MaskOptions) -> (Bits, f64) {
-        let (low, high) = self.range;
+        let (low, high) = choice.range;
         let middle = choice.level.level;
         let level = if offset > 0.0 {
             middle - offset * (middle - low + 1.0)
@@ -430,7 +424,7 @@ impl Reading {
                     notices.push(Notice::Noise);
                 }
             }
-            _ => notices.push(if self.dark { Notice::AllBlack } else { Notice::Blank }),
+            _ => notices.push(if self.is_dark() { Notice::AllBlack } else { Notice::Blank }),
         }
         if let Some(first) = all.first() {
             let like = all.iter().filter(|part| 5 * part.area >= first.area).count();

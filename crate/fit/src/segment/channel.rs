@@ -43,23 +43,67 @@ impl Channel {
 
     /// Its value in each pixel. `around` is the colour that [`Colour`](Self::Colour) is measured from.
     pub(super) fn values(self, rgba: &[u8], around: [u8; 3]) -> Vec<u8> {
-        let paper = Opponent::of(around);
-        let value = |pixel: &[u8]| {
-            let [r, g, b, a] = [pixel[0], pixel[1], pixel[2], pixel[3]];
-            let [red, green, blue] = [r, g, b].map(i32::from);
-            match self {
-                Self::Alpha => a,
-                Self::Light => ((77 * red + 150 * green + 29 * blue + 128) >> 8) as u8,
-                Self::Red => r,
-                Self::Green => g,
-                Self::Blue => b,
-                Self::Saturation => r.max(g).max(b) - r.min(g).min(b),
-                Self::Greenness => (128 + green - (red + blue) / 2).clamp(0, 255) as u8,
-                Self::Colour => Opponent::of([r, g, b]).distance(paper),
-            }
-        };
-        rgba.chunks_exact(4).map(value).collect()
+        if self == Self::Alpha {
+            return rgba.chunks_exact(4).map(|pixel| pixel[3]).collect();
+        }
+        let mut values = Vec::with_capacity(rgba.len() / 4);
+        in_planes(rgba, |planes| self.read(planes, around, &mut values));
+        values
     }
+
+    /// How often each value comes, for all of [`OF_COLOUR`](Self::OF_COLOUR): the picture is gone through once.
+    pub(super) fn histograms(rgba: &[u8], around: [u8; 3]) -> [[u64; 256]; 7] {
+        let mut all = [[0; 256]; 7];
+        let mut values = Vec::new();
+        in_planes(rgba, |planes| {
+            for (channel, counts) in Self::OF_COLOUR.into_iter().zip(&mut all) {
+                values.clear();
+                channel.read(planes, around, &mut values);
+                super::otsu::count(&values, counts);
+            }
+        });
+        all
+    }
+
+    /// Adds its values, of which each has its red, green and blue: a loop for each channel, of many pixels at once.
+    fn read(self, planes: &[Vec<u8>; 3], around: [u8; 3], out: &mut Vec<u8>) {
+        let [red, green, blue] = planes;
+        match self {
+            Self::Alpha => {}
+            Self::Light => extend(out, planes, |r, g, b| {
+                ((77 * u16::from(r) + 150 * u16::from(g) + 29 * u16::from(b) + 128) >> 8) as u8
+            }),
+            Self::Red => out.extend_from_slice(red),
+            Self::Green => out.extend_from_slice(green),
+            Self::Blue => out.extend_from_slice(blue),
+            Self::Saturation => extend(out, planes, |r, g, b| r.max(g).max(b) - r.min(g).min(b)),
+            Self::Greenness => extend(out, planes, |r, g, b| {
+                let [red, green, blue] = [r, g, b].map(i16::from);
+                (128 + green - (red + blue) / 2).clamp(0, 255) as u8
+            }),
+            Self::Colour => {
+                let paper = Opponent::of(around);
+                extend(out, planes, |r, g, b| Opponent::of([r, g, b]).distance(paper));
+            }
+        }
+    }
+}
+
+/// Calls with the red, green and blue of pixel after pixel, as many together as stay in the processor.
+fn in_planes(rgba: &[u8], mut act: impl FnMut(&[Vec<u8>; 3])) {
+    const TOGETHER: usize = 1 << 13;
+    let mut planes = [const { Vec::new() }; 3];
+    for part in rgba.chunks(4 * TOGETHER) {
+        for (k, plane) in planes.iter_mut().enumerate() {
+            plane.clear();
+            plane.extend(part.chunks_exact(4).map(|pixel| pixel[k]));
+        }
+        act(&planes);
+    }
+}
+
+fn extend(out: &mut Vec<u8>, [red, green, blue]: &[Vec<u8>; 3], value: impl Fn(u8, u8, u8) -> u8) {
+    out.extend(red.iter().zip(green).zip(blue).map(|((&r, &g), &b)| value(r, g, b)));
 }
 
 /// A colour as its light and two differences of colours.
@@ -110,22 +154,21 @@ pub(super) fn border(width: usize, height: usize) -> impl Iterator<Item = usize>
 
 /// Each value averaged with its eight neighbours, the near ones more.
 pub(super) fn blur(values: &[u8], width: usize) -> Vec<u8> {
-    let height = values.len() / width.max(1);
     let mut rows = vec![0_u16; values.len()];
-    for y in 0..height {
-        let row = &values[y * width..(y + 1) * width];
-        for x in 0..width {
-            let [left, right] = [row[x.saturating_sub(1)], row[(x + 1).min(width - 1)]].map(u16::from);
-            rows[y * width + x] = left + 2 * u16::from(row[x]) + right;
+    for (row, sums) in values.chunks_exact(width.max(1)).zip(rows.chunks_exact_mut(width.max(1))) {
+        let at = |x: usize| u16::from(row[x.min(width - 1)]);
+        sums[0] = 3 * at(0) + at(1);
+        sums[width - 1] = at(width.saturating_sub(2)) + 3 * at(width - 1);
+        for (near, sum) in row.windows(3).zip(&mut sums[1..]) {
+            *sum = u16::from(near[0]) + 2 * u16::from(near[1]) + u16::from(near[2]);
         }
     }
+    let height = values.len() / width.max(1);
+    let row = |y: usize| &rows[y * width..(y + 1) * width];
     let mut out = Vec::with_capacity(values.len());
     for y in 0..height {
-        let (above, below) = (y.saturating_sub(1) * width, (y + 1).min(height - 1) * width);
-        for x in 0..width {
-            let sum = rows[above + x] + 2 * rows[y * width + x] + rows[below + x];
-            out.push(((sum + 8) >> 4) as u8);
-        }
+        let (above, here, below) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));
+        out.extend(above.iter().zip(here).zip(below).map(|((a, b), c)| ((a + 2 * b + c + 8) >> 4) as u8));
     }
     out
 }
@@ -156,6 +199,10 @@ mod tests {
         assert_eq!(of(Channel::Saturation), [90, 15, 120]);
         assert_eq!(of(Channel::Greenness), [213, 126, 78]);
         let colour = of(Channel::Colour);
+        for (channel, counts) in Channel::OF_COLOUR.iter().zip(Channel::histograms(&rgba, [250, 240, 235])) {
+            let counted = |value: usize| of(*channel).iter().filter(|&&v| usize::from(v) == value).count();
+            assert!((0..256).all(|value| counts[value] == counted(value) as u64), "{channel:?}");
+        }
         assert!(colour[1] == 0 && colour[0] > 60 && colour[2] > 60, "{colour:?}");
     }
 

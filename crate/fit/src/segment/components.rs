@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use frond_core::shared::sort_indices;
 
-use super::binary_image::Bits;
+use super::binary_image::{Bits, find};
 
 /// A piece of a mask whose pixels hang together by their sides or corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,9 +68,8 @@ pub fn parts(bits: &Bits, on: bool, corners: bool) -> Parts {
         // Runs of the row above that may touch the next one of this row; places are counted as in this row.
         let mut before = above.start;
         let mut x = 0;
-        while let Some(skip) = row[x..].iter().position(|&bit| bit == on) {
-            let from = x + skip;
-            x = row[from..].iter().position(|&bit| bit != on).map_or(width, |long| from + long);
+        while let Some(from) = find(row, x, on) {
+            x = find(row, from, !on).unwrap_or(width);
             let run = Run { start: begin + from as u32, end: begin + x as u32, label: NONE };
             let label = runs.len() as u32;
             union.0.push(label);

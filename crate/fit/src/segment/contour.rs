@@ -28,11 +28,12 @@ impl Field {
         // enters through the left side of a cell.
         let mut seen = vec![false; columns * rows];
         let mut best: (f64, Vec<DVec2>) = (0.0, Vec::new());
+        let outside = vec![-1.0; self.width];
         for y in 0..rows {
-            for x in 0..columns {
-                let (here, above) =
-                    (self.at(x as isize - 1, y as isize), self.at(x as isize - 1, y as isize - 1));
-                if !seen[y * columns + x] && above <= 0.0 && here > 0.0 {
+            let row = |y: usize| self.values.get(y * self.width..(y + 1) * self.width).unwrap_or(&outside);
+            let (above, here) = (if y == 0 { &outside[..] } else { row(y - 1) }, row(y));
+            for x in 1..columns {
+                if above[x - 1] <= 0.0 && here[x - 1] > 0.0 && !seen[y * columns + x] {
                     let way = self.walk(x, y, &mut seen);
                     let area = area(&way).abs();
                     if area > best.0 {

@@ -52,6 +52,7 @@ enum Field {
 struct Sampled<'a> {
     width: usize,
     height: usize,
+    pixels: Vec<[u8; 4]>,
     full: [usize; 2],
     rgba: &'a [u8],
 }
@@ -60,25 +61,26 @@ impl<'a> Sampled<'a> {
     fn new(rgba: &'a [u8], width: usize, height: usize) -> Self {
         let factor = ((width * height) as f64 / MOST_PIXELS as f64).sqrt().max(1.0);
         let less = |side: usize| ((side as f64 / factor) as usize).clamp(1, side);
-        Self { width: less(width), height: less(height), full: [width, height], rgba }
-    }
-
-    fn pixel(&self, i: usize) -> &[u8] {
         let along =
             |at: usize, count: usize, full: usize| if count > 1 { at * (full - 1) / (count - 1) } else { 0 };
-        let (x, y) = (i % self.width, i / self.width);
-        let [width, height] = self.full;
-        let at = along(y, self.height, height) * width + along(x, self.width, width);
-        &self.rgba[4 * at..4 * at + 4]
+        let (across, down) = (less(width), less(height));
+        let columns: Vec<usize> = (0..across).map(|x| 4 * along(x, across, width)).collect();
+        let mut pixels = Vec::with_capacity(across * down);
+        for y in 0..down {
+            let row = &rgba[4 * along(y, down, height) * width..][..4 * width];
+            pixels.extend(columns.iter().map(|&at| [row[at], row[at + 1], row[at + 2], row[at + 3]]));
+        }
+        Self { width: across, height: down, pixels, full: [width, height], rgba }
+    }
+
+    fn pixel(&self, i: usize) -> &[u8; 4] {
+        &self.pixels[i]
     }
 
     /// How light each pixel is.
     fn light(&self) -> Vec<u8> {
-        let light = |i: usize| {
-            let pixel = self.pixel(i);
-            ((u32::from(pixel[0]) + 2 * u32::from(pixel[1]) + u32::from(pixel[2])) / 4) as u8
-        };
-        (0..self.width * self.height).map(light).collect()
+        let light = |p: &[u8; 4]| ((u32::from(p[0]) + 2 * u32::from(p[1]) + u32::from(p[2])) / 4) as u8;
+        self.pixels.iter().map(light).collect()
     }
 
     /// How many pixels of the picture are one here, across and down.
@@ -87,9 +89,8 @@ impl<'a> Sampled<'a> {
         [times(self.width, self.full[0]), times(self.height, self.full[1])]
     }
 
-    fn bits(&self, on: impl Fn(&[u8]) -> bool) -> Bits {
-        let all = (0..self.width * self.height).map(|i| on(self.pixel(i))).collect();
-        Bits { width: self.width, height: self.height, on: all }
+    fn bits(&self, on: impl Fn(&[u8; 4]) -> bool) -> Bits {
+        Bits { width: self.width, height: self.height, on: self.pixels.iter().map(on).collect() }
     }
 
     /// Even colours that the border may have, with how much each pixel may differ from it: of its sides and corners.
@@ -135,23 +136,26 @@ fn apart(pixel: &[u8], colour: [u8; 3]) -> u8 {
     pixel.iter().zip(colour).map(|(&a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
 
-/// What may be a frame of one colour, the likeliest first.
-pub fn of_colour(rgba: &[u8], width: usize, height: usize) -> Vec<Frame> {
+/// What may be a frame: a clear margin, or clear corners around what is opaque, if that is a card and no shape; where
+/// `coloured`, then one of one colour, the likeliest first.
+pub fn likely(rgba: &[u8], width: usize, height: usize, coloured: bool) -> Vec<Frame> {
     let small = Sampled::new(rgba, width, height);
+    let clear = found(&small, &small.bits(|pixel| pixel[3] < 128), true);
     let near =
         |(colour, tolerance): ([u8; 3], u8)| small.bits(|pixel| apart(&pixel[..3], colour) <= tolerance);
-    small.colours().into_iter().filter_map(|colour| found(&small, &near(colour), false)).collect()
-}
-
-/// The clear margin or corners around what is opaque, if that is a card and no shape.
-pub fn of_clear(rgba: &[u8], width: usize, height: usize) -> Option<Frame> {
-    let small = Sampled::new(rgba, width, height);
-    found(&small, &small.bits(|pixel| pixel[3] < 128), true)
+    let colours = if coloured { small.colours() } else { Vec::new() };
+    clear
+        .into_iter()
+        .chain(colours.into_iter().filter_map(|colour| found(&small, &near(colour), false)))
+        .collect()
 }
 
 /// What hangs together with the border in `even` as a frame, if what it leaves open is a field.
 fn found(small: &Sampled<'_>, even: &Bits, clear: bool) -> Option<Frame> {
     let (width, height) = (small.width, small.height);
+    if !even.on.contains(&true) {
+        return None;
+    }
     let pieces = parts(even, true, false);
     let frame = pieces.bits_where(width, height, |label| pieces.all[label].touches_border);
     let all = width * height;

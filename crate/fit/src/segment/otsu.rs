@@ -56,10 +56,26 @@ pub fn split(counts: &[u64; 256]) -> Option<Level> {
 /// How often each value comes.
 pub fn histogram(values: &[u8]) -> [u64; 256] {
     let mut counts = [0; 256];
-    for &value in values {
+    count(values, &mut counts);
+    counts
+}
+
+/// Adds how often each value comes. Neighbours are mostly alike: each of four has a table of its own, and need not wait
+/// for the one before it.
+pub fn count(values: &[u8], counts: &mut [u64; 256]) {
+    let mut tables = [[0_u32; 256]; 4];
+    let fours = values.chunks_exact(4);
+    for &value in fours.remainder() {
         counts[usize::from(value)] += 1;
     }
-    counts
+    for four in fours {
+        for (table, &value) in tables.iter_mut().zip(four) {
+            table[usize::from(value)] += 1;
+        }
+    }
+    for (value, count) in counts.iter_mut().enumerate() {
+        *count += tables.iter().map(|table| u64::from(table[value])).sum::<u64>();
+    }
 }
 
 /// The value that the given share (0 to 1) of all lies at or below.

@@ -153,22 +153,20 @@ impl RandomWalk {
             *out = d * x;
         }
         let width = self.width;
+        let take = |out: &mut [f32], weights: &[f32], x: &[f32]| {
+            out.iter_mut().zip(weights).zip(x).for_each(|((out, weight), x)| *out -= weight * x);
+        };
         for (weights, &(right, down)) in weights.iter().zip(&AHEAD) {
             // Where there is no neighbour the weight is zero, and any index will do.
             let ahead = (right as isize + down * width as isize) as usize;
             if down < 0 {
-                let back = width - right;
-                for i in back..x.len() {
-                    let (j, weight) = (i - back, weights[i]);
-                    out[i] -= weight * x[j];
-                    out[j] -= weight * x[i];
-                }
+                let back = (width - right).min(x.len());
+                take(&mut out[back..], &weights[back..], x);
+                take(out, &weights[back..], &x[back..]);
             } else {
-                for i in 0..x.len().saturating_sub(ahead) {
-                    let weight = weights[i];
-                    out[i] -= weight * x[i + ahead];
-                    out[i + ahead] -= weight * x[i];
-                }
+                let ahead = ahead.min(x.len());
+                take(&mut out[ahead..], weights, x);
+                take(out, weights, &x[ahead..]);
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::binary_image::Bits;
 use super::channel::{Channel, blur, border, border_colour};
-use super::otsu::{Level, histogram, split};
+use super::otsu::{Level, histogram, quantile, split};
 
 /// A channel with the line drawn in it.
 #[derive(Clone, Debug)]
@@ -19,6 +19,8 @@ pub struct Choice {
     pub smoothed: bool,
     /// Between the mean values of leaf and ground.
     pub contrast: f64,
+    /// The values of `likeness` that all but a 200th lie between.
+    pub range: (f64, f64),
 }
 
 /// What is enough to be taken for a shape.
@@ -30,10 +32,11 @@ const RULE_RADII: [usize; 4] = [1, 2, 3, 5];
 /// The best channel of a picture; None where no channel has two values.
 pub fn choose(rgba: &[u8], width: usize, height: usize) -> Option<Choice> {
     let around = border_colour(rgba, width, height);
-    let alpha = Channel::Alpha.values(rgba, around);
     // What is cut out of its ground needs no more judgement.
     if is_cut_out(rgba) {
-        let level = split(&histogram(&alpha))?;
+        let alpha = Channel::Alpha.values(rgba, around);
+        let counts = histogram(&alpha);
+        let level = split(&counts)?;
         let contrast = level.bright - level.dark;
         return Some(Choice {
             channel: Channel::Alpha,
@@ -43,31 +46,56 @@ pub fn choose(rgba: &[u8], width: usize, height: usize) -> Option<Choice> {
             whole: 1.0,
             smoothed: false,
             contrast,
+            range: range(&counts),
         });
     }
-    let seen = over_white(rgba, &alpha);
+    let seen = over_white(rgba);
     let rgba = seen.as_deref().unwrap_or(rgba);
-    let mut best: Option<(f64, Choice)> = None;
     // Sharp, if it will do; smoother where it is speckled.
-    for blurs in [0, 2, 8] {
+    let mut best = sharpest(rgba, around, width, height);
+    for blurs in [2, 8] {
+        if best.as_ref().is_none_or(|(_, choice)| choice.whole >= LEAST_SCORE) {
+            break;
+        }
         for channel in Channel::OF_COLOUR {
             let mut values = channel.values(rgba, around);
             for _ in 0..blurs {
                 values = blur(&values, width);
             }
             let most = best.as_ref().map_or(0.0, |(most, _)| *most);
-            if let Some((score, mut choice)) = judge(channel, values, width, height, most)
-                && best.as_ref().is_none_or(|(most, _)| score > *most)
-            {
-                choice.smoothed = blurs > 0;
+            let Some(lines) = Lines::new(histogram(&values)).filter(|lines| lines.most >= most) else {
+                continue;
+            };
+            let (score, mut choice) = judge(channel, values, &lines, width, height);
+            if best.as_ref().is_none_or(|(most, _)| score > *most) {
+                choice.smoothed = true;
                 best = Some((score, choice));
             }
         }
-        if best.as_ref().is_none_or(|(_, choice)| choice.whole >= LEAST_SCORE) {
-            break;
-        }
     }
     best.map(|(_, choice)| choice)
+}
+
+/// The best channel as it is. What a histogram promises is known for all before one is looked at, and the most
+/// promising come first: mostly the others cannot win any more then.
+fn sharpest(rgba: &[u8], around: [u8; 3], width: usize, height: usize) -> Option<(f64, Choice)> {
+    let all = Channel::histograms(rgba, around);
+    let mut lines: Vec<(usize, Lines)> =
+        all.into_iter().enumerate().filter_map(|(i, counts)| Some((i, Lines::new(counts)?))).collect();
+    lines.sort_by(|(_, a), (_, b)| b.most.total_cmp(&a.most));
+    let mut best: Option<(usize, f64, Choice)> = None;
+    for (i, lines) in lines {
+        if best.as_ref().is_some_and(|(_, most, _)| lines.most < *most) {
+            break;
+        }
+        let channel = Channel::OF_COLOUR[i];
+        let (score, choice) = judge(channel, channel.values(rgba, around), &lines, width, height);
+        // Of equals the plainest.
+        if best.as_ref().is_none_or(|(first, most, _)| score > *most || (score == *most && i < *first)) {
+            best = Some((i, score, choice));
+        }
+    }
+    best.map(|(_, score, choice)| (score, choice))
 }
 
 /// Whether part of a picture is clear, more than a few pixels, and part of it is not.
@@ -78,8 +106,8 @@ pub fn is_cut_out(rgba: &[u8]) -> bool {
 }
 
 /// What is half transparent is seen on white; None where nothing is.
-fn over_white(rgba: &[u8], alpha: &[u8]) -> Option<Vec<u8>> {
-    if alpha.iter().all(|&a| a == 255) {
+fn over_white(rgba: &[u8]) -> Option<Vec<u8>> {
+    if rgba.chunks_exact(4).all(|pixel| pixel[3] == 255) {
         return None;
     }
     let mut seen = rgba.to_vec();
@@ -92,21 +120,33 @@ fn over_white(rgba: &[u8], alpha: &[u8]) -> Option<Vec<u8>> {
     Some(seen)
 }
 
-/// Draws the line in one channel and says how well it parts a shape from its ground; None where that is no better than
-/// `least`.
-fn judge(
-    channel: Channel,
-    mut values: Vec<u8>,
-    width: usize,
-    height: usize,
-    least: f64,
-) -> Option<(f64, Choice)> {
-    let mut level = split(&histogram(&values))?;
-    let contrast = level.bright - level.dark;
-    // However whole it is.
-    if level.separation * contrast / (contrast + 20.0) < least {
-        return None;
+/// The values that all but a 200th lie between.
+fn range(counts: &[u64; 256]) -> (f64, f64) {
+    (f64::from(quantile(counts, 0.005)), f64::from(quantile(counts, 0.995)))
+}
+
+/// What a histogram says of a channel.
+struct Lines {
+    counts: [u64; 256],
+    level: Level,
+    contrast: f64,
+    /// The best that it may be, however whole the shape is.
+    most: f64,
+}
+
+impl Lines {
+    /// None where there are no two values.
+    fn new(counts: [u64; 256]) -> Option<Self> {
+        let level = split(&counts)?;
+        let contrast = level.bright - level.dark;
+        let most = level.separation * contrast / (contrast + 20.0);
+        Some(Self { counts, level, contrast, most })
     }
+}
+
+/// Draws the line in one channel, and says how well it parts a shape from its ground.
+fn judge(channel: Channel, mut values: Vec<u8>, lines: &Lines, width: usize, height: usize) -> (f64, Choice) {
+    let Lines { mut counts, mut level, contrast, .. } = *lines;
     let share = |bits: &Bits| {
         let all = border(width, height).count().max(1);
         border(width, height).filter(|&i| bits.on[i]).count() as f64 / all as f64
@@ -116,6 +156,7 @@ fn judge(
     let mut at_border = share(&bits);
     if at_border > 0.5 {
         values.iter_mut().for_each(|value| *value = 255 - *value);
+        counts.reverse();
         level = Level {
             level: 255.0 - level.level,
             dark: 255.0 - level.bright,
@@ -142,7 +183,19 @@ fn judge(
     let plain = 0.93_f64.powi(rules as i32);
     let score =
         level.separation * (0.1 + 0.9 * whole) * plain * (1.0 - at_border) * contrast / (contrast + 20.0);
-    Some((score, Choice { channel, likeness: values, level, rules, whole, smoothed: false, contrast }))
+    (
+        score,
+        Choice {
+            channel,
+            likeness: values,
+            level,
+            rules,
+            whole,
+            smoothed: false,
+            contrast,
+            range: range(&counts),
+        },
+    )
 }
 
 /// How long the edges may be for the area: a leaf with many teeth is whole, rules and speckles are not.

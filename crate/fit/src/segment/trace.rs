@@ -59,22 +59,26 @@ impl Tracer {
         // Two pixels round it: smoothing pushes the line out by less.
         let (left, top) = (left.saturating_sub(2), top.saturating_sub(2));
         let (right, bottom) = ((right + 2).min(self.width), (bottom + 2).min(self.height));
+        let (tones, depths) = self.depths(mask);
         let mut filled = Bits::new(right - left, bottom - top);
-        for (y, row) in filled.on.chunks_exact_mut(right - left).enumerate() {
+        let mut values = vec![0.0; filled.on.len()];
+        let rows = filled.on.chunks_exact_mut(right - left).zip(values.chunks_exact_mut(right - left));
+        for (y, (row, values)) in rows.enumerate() {
             let start = (top + y) * self.width + left;
             for (on, &label) in row.iter_mut().zip(&mask.labels[start..]) {
                 *on = label == component as u32;
             }
+            match tones {
+                Some(tones) => {
+                    for ((value, &on), &tone) in values.iter_mut().zip(&*row).zip(&tones[start..]) {
+                        *value = depths[usize::from(on)][usize::from(tone)];
+                    }
+                }
+                None => values.iter_mut().zip(&*row).for_each(|(value, &on)| *value = mended(on)),
+            }
         }
-        let values = (0..filled.on.len()).map(|i| {
-            let (x, y) = (left + i % filled.width, top + i / filled.width);
-            self.depth(mask, filled.on[i], y * self.width + x)
-        });
-        let field = Field {
-            width: filled.width,
-            height: filled.height,
-            values: smooth(&values.collect::<Vec<_>>(), filled.width),
-        };
+        let field =
+            Field { width: filled.width, height: filled.height, values: smooth(&values, filled.width) };
         let (x0, y0) = (left as f64, (self.height - top) as f64);
         let mut points: Vec<DVec2> = field.contour().iter().map(|p| DVec2::new(x0 + p.x, y0 - p.y)).collect();
         // Marching goes clockwise.
@@ -98,35 +102,42 @@ impl Tracer {
         Ok(Traced { points, notices })
     }
 
-    /// How far inside a pixel is, -1 to 1.
-    fn depth(&self, mask: &Mask, on: bool, i: usize) -> f32 {
+    /// How far inside a pixel is, -1 to 1: its tone, and what comes of each, first where it is off, then where it is on.
+    /// With no tones nothing stands out.
+    fn depths<'a>(&'a self, mask: &'a Mask) -> (Option<&'a [u8]>, [[f32; 256]; 2]) {
+        let of = |soft: &dyn Fn(u8) -> f32| {
+            let mut depths = [[0.0; 256]; 2];
+            for (on, depths) in [false, true].into_iter().zip(&mut depths) {
+                for (tone, depth) in (0..=u8::MAX).zip(depths) {
+                    let soft = soft(tone);
+                    *depth = if on == (soft > 0.0) { soft } else { mended(on) };
+                }
+            }
+            depths
+        };
         if let Some(cover) = &mask.cover {
-            let soft = f32::from(cover[i]) / 127.5 - 1.0;
-            return match (on, soft > 0.0) {
-                (true, true) | (false, false) => soft,
-                (true, false) => 0.5,
-                (false, true) => -0.5,
-            };
+            return (Some(cover), of(&|tone| f32::from(tone) / 127.5 - 1.0));
         }
         let seen = match &self.frame {
             Some(frame) if !mask.framed => frame.whole(self.width, self.height),
             _ => &self.inner,
         };
-        let Some(choice) = seen.stands_out() else { return if on { 0.5 } else { -0.5 } };
-        let soft = {
-            let value = f64::from(choice.likeness[i]) - mask.level;
+        let Some(choice) = seen.stands_out() else { return (None, [[0.0; 256]; 2]) };
+        let soft = |tone: u8| {
+            let value = f64::from(tone) - mask.level;
             // From the middle to either class: there an edge that is cut by a pixel is straight.
             let half =
                 if value > 0.0 { choice.level.bright - mask.level } else { mask.level - choice.level.dark };
             let inside = (value / half.max(4.0)).clamp(-1.0, 1.0);
-            if mask.inverted { -inside } else { inside }
+            if mask.inverted { -inside as f32 } else { inside as f32 }
         };
-        match (on, soft > 0.0) {
-            (true, true) | (false, false) => soft as f32,
-            (true, false) => 0.5,
-            (false, true) => -0.5,
-        }
+        (Some(&choice.likeness), of(&soft))
     }
+}
+
+/// How far inside a pixel is where the mask was mended.
+fn mended(on: bool) -> f32 {
+    if on { 0.5 } else { -0.5 }
 }
 
 /// How many holes that can be seen a piece has, or had before they were filled; `piece` is it with a rim round it.
@@ -141,15 +152,20 @@ fn holes(mask: &Mask, component: usize, piece: &Bits) -> usize {
 
 /// Each value averaged with its neighbours: 1, 2, 1 across and down.
 fn smooth(values: &[f32], width: usize) -> Vec<f32> {
-    let height = values.len() / width.max(1);
-    let row = |x: usize, y: usize| {
-        let at = |x: usize| values[y * width + x];
-        at(x.saturating_sub(1)) + 2.0 * at(x) + at((x + 1).min(width - 1))
-    };
-    let across: Vec<f32> = (0..values.len()).map(|i| row(i % width, i / width)).collect();
-    let column = |x: usize, y: usize| {
-        let at = |y: usize| across[y * width + x];
-        (at(y.saturating_sub(1)) + 2.0 * at(y) + at((y + 1).min(height - 1))) / 16.0
-    };
-    (0..values.len()).map(|i| column(i % width, i / width)).collect()
+    let mut across = vec![0.0; values.len()];
+    for (row, sums) in values.chunks_exact(width).zip(across.chunks_exact_mut(width)) {
+        let sum = |x: usize| row[x.saturating_sub(1)] + 2.0 * row[x] + row[(x + 1).min(width - 1)];
+        (sums[0], sums[width - 1]) = (sum(0), sum(width - 1));
+        for (near, sum) in row.windows(3).zip(&mut sums[1..]) {
+            *sum = near[0] + 2.0 * near[1] + near[2];
+        }
+    }
+    let height = values.len() / width;
+    let row = |y: usize| &across[y * width..(y + 1) * width];
+    let mut smoothed = Vec::with_capacity(values.len());
+    for y in 0..height {
+        let (above, here, below) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));
+        smoothed.extend(above.iter().zip(here).zip(below).map(|((a, b), c)| (a + 2.0 * b + c) / 16.0));
+    }
+    smoothed
 }
