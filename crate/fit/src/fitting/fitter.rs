@@ -19,8 +19,16 @@ const MAX_FOLLOWED: usize = 2400;
 /// the ends follow all.
 const POINTS_A_PAIR: usize = 12;
 
-/// Edges of copies shorter than this are not opened while fitting, in parts of the diagonal.
+/// With more, up to so many pairs, each has so many, and as many rounds as on all points take a part of the time. Some
+/// more of them make up for what fewer points tell.
+const SOME_PAIRS: usize = 40;
+const POINTS_A_PAIR_OF_SOME: usize = 16;
+const MORE_ROUNDS: f64 = 1.8;
+
+/// Edges of copies shorter than this are not opened while fitting, in parts of the diagonal; on the points of some
+/// pairs, which lie farther apart, those shorter than the second.
 const FITTING_TOLERANCE: f64 = 1.5e-3;
+const COARSE_TOLERANCE: f64 = 2.5e-3;
 
 /// Rounds between two looks of the judge, which measures what is drawn, at least.
 const ROUNDS_UNSEEN: usize = 16;
@@ -42,7 +50,7 @@ pub struct Fitter {
     /// None where the outline itself is no more than that.
     straight: Option<Straight>,
     search: Option<Search>,
-    /// The points that the ends follow; a search for few numbers follows fewer.
+    /// The points that the ends follow; a search for not many numbers follows fewer.
     followed: Outline,
     judge: Option<Judge>,
     /// What there must have been searched before the judge looks again.
@@ -90,15 +98,22 @@ impl Fitter {
         let (curve, error) = straight.best();
         let best = ClosedFit { curve: curve.clone(), error };
         let most = MAX_FOLLOWED.max(6 * pairs);
-        let (thin, followed, share) = if pairs <= FEW_PAIRS {
-            (thinned(&outline, POINTS_A_PAIR * pairs), thinned(&outline, most), 1.0)
+        let enough = most.min(enough_points(pairs));
+        // As many rounds as with all of them.
+        let share = |points: usize| points as f64 / outline.points().len().min(most) as f64;
+        let (thin, followed, share, tolerance) = if pairs <= FEW_PAIRS {
+            (thinned(&outline, POINTS_A_PAIR * pairs), thinned(&outline, most), 1.0, FITTING_TOLERANCE)
+        } else if pairs <= SOME_PAIRS {
+            let followed = thinned(&outline, enough);
+            let thin = thinned(&outline, POINTS_A_PAIR_OF_SOME * pairs);
+            let share = (MORE_ROUNDS * share(thin.points().len())).min(share(followed.points().len()));
+            (thin, followed, share, COARSE_TOLERANCE)
         } else {
-            let thin = thinned(&outline, most.min(enough_points(pairs)));
-            // As many rounds as with all of them.
-            let share = thin.points().len() as f64 / outline.points().len().min(most) as f64;
-            (thin.clone(), thin, share)
+            let thin = thinned(&outline, enough);
+            let share = share(thin.points().len());
+            (thin.clone(), thin, share, FITTING_TOLERANCE)
         };
-        let search = Search::new(thin, pairs, FITTING_TOLERANCE * diagonal, share, outline.points().len());
+        let search = Search::new(thin, pairs, tolerance * diagonal, share, outline.points().len());
         Ok(Self {
             outline,
             diagonal,

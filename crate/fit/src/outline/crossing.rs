@@ -61,7 +61,7 @@ fn side(points: &[DVec2], i: usize) -> [DVec2; 2] {
     [points[i], points[if i + 1 == points.len() { 0 } else { i + 1 }]]
 }
 
-/// Pairs of sides, among those that come near each other, of which `is_one` says so.
+/// Pairs of sides, among those whose boxes have a point in common, of which `is_one` says so.
 fn pairs(
     points: &[DVec2],
     most: usize,
@@ -69,14 +69,26 @@ fn pairs(
 ) -> Option<Vec<(usize, usize)>> {
     let grid = Nearest::new(points, true);
     let mut found = Vec::new();
+    let mut boxes = Vec::new();
     let mut pairs = 0;
     for cell in grid.cells() {
         pairs += cell.len() * cell.len().saturating_sub(1) / 2;
         if pairs > MAX_PAIRS {
             return None;
         }
+        if cell.len() > 1 {
+            // Side by side in memory, and most pairs are beside each other.
+            boxes.clear();
+            boxes.extend(cell.iter().map(|&i| {
+                let [a, b] = side(points, i as usize);
+                (a.min(b), a.max(b))
+            }));
+        }
         for (k, &i) in cell.iter().enumerate() {
-            for &j in &cell[k + 1..] {
+            for (l, &j) in cell.iter().enumerate().skip(k + 1) {
+                if beside(boxes[k], boxes[l]) {
+                    continue;
+                }
                 let (i, j) = (i.min(j) as usize, i.max(j) as usize);
                 if is_one(i, j) {
                     found.push((i, j));
@@ -121,12 +133,13 @@ pub(crate) fn turn(a: DVec2, b: DVec2, c: DVec2) -> i8 {
     }
 }
 
-/// Whether two sides have a point in common, or may have one.
+/// Whether a box lies beside another.
+fn beside(a: (DVec2, DVec2), b: (DVec2, DVec2)) -> bool {
+    b.1.x < a.0.x || b.1.y < a.0.y || a.1.x < b.0.x || a.1.y < b.0.y
+}
+
+/// Whether two sides whose boxes have a point in common have one as well, or may have one.
 fn meet(a: [DVec2; 2], b: [DVec2; 2]) -> bool {
-    let beside = |low: DVec2, high: DVec2| high.x < low.x || high.y < low.y;
-    if beside(a[0].min(a[1]), b[0].max(b[1])) || beside(b[0].min(b[1]), a[0].max(a[1])) {
-        return false;
-    }
     let parts = |line: [DVec2; 2], side: [DVec2; 2]| {
         turn(line[0], line[1], side[0]) * turn(line[0], line[1], side[1]) == 1
     };
