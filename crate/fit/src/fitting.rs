@@ -1,4 +1,7 @@
 //! Fits of closed curves to outlines.
+//!
+//! What takes long is in functions of their own, which no other function may take in (`inline(never)`), here as in
+//! `segment`: browsers optimise whole functions while the first fit waits for them, and small ones sooner.
 
 mod candidates;
 mod choice;

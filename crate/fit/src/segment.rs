@@ -275,6 +275,7 @@ impl Reading {
 
     /// Whether there is a leaf inside a frame: something stands out there. Inside what is round, and may be a shape
     /// of its own, it must be more than a shade, and seldom reach the frame.
+    #[inline(never)]
     fn shows_leaf(&self, around: &Bits, is_round: bool) -> bool {
         let Some(choice) = self.line() else { return false };
         let on = Bits::above(&choice.likeness, self.width, self.height, choice.level.level).on;
@@ -364,6 +365,7 @@ impl Reading {
     }
 
     /// What is found without a brush.
+    #[inline(never)]
     fn find(&self, choice: &Choice, offset: f64, options: &MaskOptions) -> (Bits, f64) {
         let (low, high) = choice.range;
         let middle = choice.level.level;

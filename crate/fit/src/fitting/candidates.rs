@@ -57,6 +57,7 @@ pub(crate) struct Library {
 }
 
 impl Library {
+    #[inline(never)]
     pub fn new(curve: &ClosedCurve, tolerance: f64, levels: usize) -> Self {
         let expansion = curve.expand(tolerance, levels);
         let count = curve.knots.len();
@@ -97,6 +98,7 @@ impl Library {
     }
 
     /// The best copy for a stretch, among arcs for which `allowed` says so by their first and last knot and span.
+    #[inline(never)]
     pub fn best(&self, stretch: &Stretch, mut allowed: impl FnMut(usize, usize) -> bool) -> Option<Proposal> {
         let mut best: Option<Proposal> = None;
         let mut enough = f64::NEG_INFINITY;
@@ -130,6 +132,7 @@ impl Library {
     }
 
     /// What a corner takes off, and where it is on the chord.
+    #[inline(never)]
     pub fn corner(&self, stretch: &Stretch) -> (f64, f64) {
         let mut best = (0.0, 0.5);
         for (place, shape) in &self.corners {
@@ -145,6 +148,7 @@ impl Library {
 impl Stretch {
     /// The points from index `from` to `to` of a ring, as one edge between two knots; none where it turns back on
     /// itself.
+    #[inline(never)]
     pub fn new(ring: &[DVec2], from: usize, to: usize, ends: [DVec2; 2]) -> Option<Self> {
         let count = ring.len();
         let many = (to + count - from) % count;

@@ -1,6 +1,7 @@
 //! Which moves are made: numbers are bought where they gain most, and paid for with the cheapest.
 
 use frond_core::hash;
+use frond_core::shared::sort_indices;
 
 use super::marks::Marked;
 use super::moves::{Move, Offer};
@@ -14,6 +15,13 @@ pub(crate) struct Temper {
     pub greed: f64,
     /// Of the chance.
     pub seed: u32,
+}
+
+/// Offers by what they cost.
+pub(crate) fn cheapest_first(offers: &[Offer], cost: &dyn Fn(&Offer) -> f64) -> Vec<Offer> {
+    let mut order: Vec<usize> = (0..offers.len()).collect();
+    sort_indices(&mut order, &|i, j| cost(&offers[i]).total_cmp(&cost(&offers[j])));
+    order.into_iter().map(|i| offers[i]).collect()
 }
 
 /// Moves for a curve, of at most so many pairs of numbers.
@@ -31,6 +39,7 @@ impl<'a> Choice<'a> {
     }
 
     /// Pairs of offers that gain more than they cost, far from each other, the best first.
+    #[inline(never)]
     pub fn of(&self, mut freeing: Vec<Offer>, mut using: Vec<Offer>, temper: Temper) -> Vec<Move> {
         let mut chance = 0;
         let mut shake = |offer: &mut Offer| {
@@ -43,8 +52,8 @@ impl<'a> Choice<'a> {
             using.iter_mut().for_each(&mut shake);
         }
         let per = |offer: &Offer| offer.cost / f64::from(offer.numbers.abs().max(1));
-        freeing.sort_by(|a, b| per(a).total_cmp(&per(b)));
-        using.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let freeing = cheapest_first(&freeing, &per);
+        let using = cheapest_first(&using, &|offer| offer.cost);
         let mut touched = vec![false; self.now.marks.len()];
         let mut claim = |action: &Move| {
             let knots = self.now.touched(action);

@@ -51,6 +51,7 @@ pub(crate) fn heights(points: impl Iterator<Item = DVec2>, from: DVec2, to: DVec
 }
 
 /// Takes a line's share off, and says what is left: the sum of squares.
+#[inline(never)]
 pub(crate) fn free_of_lines(grid: &mut Heights) -> f64 {
     let mean = grid.iter().sum::<f64>() / CHORD_PLACES as f64;
     let place = |g: usize| (g as f64 + 0.5) / CHORD_PLACES as f64 - 0.5;

@@ -152,6 +152,7 @@ impl Judge {
     }
 
     /// Keeps a curve where it is the best so far, which a rough look may deny. Whether it was kept.
+    #[inline(never)]
     pub fn measure(&mut self, curve: &ClosedCurve, roughly_first: bool) -> bool {
         let Some((curve, line)) = self.untangled(curve, roughly_first) else { return false };
         self.work += MEASURING_WORK * line.len() as u64;
@@ -172,6 +173,7 @@ impl Judge {
 
     /// Whether a curve may be better than the best, by a drawing that is coarser than what is measured in the end, and
     /// takes much less where copies of copies fill the plane.
+    #[inline(never)]
     pub fn may_keep(&mut self, curve: &ClosedCurve) -> bool {
         let tolerance = (ROUGH_SHARE / 100.0 * self.best.near.rms).min(MOST_ROUGH);
         if tolerance <= 2.0 * DRAWING_TOLERANCE || curve.copies() == 0 {
@@ -212,6 +214,7 @@ impl Judge {
     /// The curve as documents keep it and its drawing, which crosses itself at most where the outline does; none where
     /// its knots do not allow it. None, too, where a rough look says that it will
     /// not be the best.
+    #[inline(never)]
     fn untangled(&mut self, curve: &ClosedCurve, roughly_first: bool) -> Option<(ClosedCurve, Vec<DVec2>)> {
         let mut curve = curve.quantised().ok()?;
         for _ in 0..MOST_REPAIRS {

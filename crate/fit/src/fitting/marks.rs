@@ -16,6 +16,7 @@ pub(crate) struct Marked {
 
 impl Marked {
     /// Moves each mark to the nearest point of the outline between its neighbours.
+    #[inline(never)]
     pub fn follow(&mut self, ring: &[DVec2]) {
         let (count, knots) = (ring.len(), self.marks.len());
         for k in 0..knots {
@@ -50,6 +51,7 @@ impl Marked {
     }
 
     /// The outline's point over a place of an edge's chord.
+    #[inline(never)]
     pub fn mark_over(&self, ring: &[DVec2], edge: usize, share: f64) -> usize {
         let to = (edge + 1) % self.marks.len();
         let from = self.marks[edge];

@@ -37,6 +37,7 @@ impl Rows {
     }
 
     /// The normal equations, one small matrix a group.
+    #[inline(never)]
     pub fn normal(&self) -> Normal {
         let mut weights = vec![0.0; self.size];
         let mut right = vec![0.0; self.size];
@@ -114,6 +115,7 @@ impl Normal {
     /// The least squares, where each unknown pays for its size: a share `damping` of what it weighs in the rows, and of
     /// the mean of that. By conjugate gradients (Björck, "Numerical methods for least squares problems", 1996, section
     /// 7.4). None where something is not finite. How many products are summed is added to `work`.
+    #[inline(never)]
     pub fn solve(&self, damping: f64, work: &mut u64) -> Option<Vec<f64>> {
         let n = self.weights.len();
         let mean = self.weights.iter().sum::<f64>() / n.max(1) as f64;

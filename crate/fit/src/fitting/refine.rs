@@ -194,6 +194,7 @@ impl Refiner {
     }
 
     /// The equations of the present step.
+    #[inline(never)]
     fn system(&self, curve: &ClosedCurve) -> Rows {
         let expansion = curve.expand_with(self.tolerance, self.levels, true);
         let vertices = &expansion.vertices;
@@ -284,6 +285,7 @@ fn add(row: &mut Vec<(usize, f64)>, place: usize, value: f64) {
 }
 
 /// The curve after a change of all its numbers, knots first. Factors are held to what contracts.
+#[inline(never)]
 fn moved(curve: &ClosedCurve, change: &[f64]) -> ClosedCurve {
     let mut moved = curve.clone();
     for (knot, change) in moved.knots.iter_mut().zip(change.chunks(2)) {

@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use frond_core::hash;
+use frond_core::shared::sort_indices;
 
 use super::candidates::Library;
-use super::choice::{Choice, Temper};
+use super::choice::{Choice, Temper, cheapest_first};
 use super::marks::{Marked, marks_of, scattered};
 use super::moves::{Move, Name};
 use super::outlook::Outlook;
@@ -189,9 +190,8 @@ impl Search {
     pub fn into_found(mut self) -> Vec<ClosedCurve> {
         self.found.push((self.now.curve, self.error));
         self.found.extend(self.home.map(|(marked, error)| (marked.curve, error)));
-        self.found.sort_by(|a, b| a.1.total_cmp(&b.1));
         let mut curves: Vec<ClosedCurve> = Vec::new();
-        for (curve, _) in self.found {
+        for (curve, _) in best_first(&self.found) {
             if !curves.contains(&curve) {
                 curves.push(curve);
             }
@@ -258,7 +258,7 @@ impl Search {
         let mut outlook = self.outlook(Vec::new());
         let (_, mut using) = outlook.offers(&self.now, self.thin.points(), 0, &BTreeMap::new());
         using.retain(|offer| matches!(offer.action, Move::Copy(..)) && offer.cost < 0.0);
-        using.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let using = cheapest_first(&using, &|offer| offer.cost);
         let free = self.pairs.saturating_sub(self.now.curve.knots.len());
         let moves: Vec<_> = using.iter().take(free).map(|offer| offer.action).collect();
         // All that can be had, or the best half of it, or of that: copies at once may cross each other.
@@ -315,6 +315,7 @@ impl Search {
     }
 
     /// One round: the cheapest numbers are freed and spent where they gain most; kept if it is for the better.
+    #[inline(never)]
     fn trade(&mut self) -> bool {
         let mut outlook = match self.outlook.take() {
             Some(outlook) => outlook,
@@ -382,6 +383,7 @@ impl Search {
     }
 
     /// The second part of the search: the curve may stray more. It begins with the best so far, the polyline among it.
+    #[inline(never)]
     fn loosen(&mut self) {
         self.loose = true;
         self.refiner.set_ties(Ties { reach: self.reach, ..LOOSE_TIES });
@@ -400,10 +402,11 @@ impl Search {
     }
 
     /// Back to the best, and off again with some moves that are kept whatever they cost: another start.
+    #[inline(never)]
     fn set_out(&mut self) {
         self.stale = 0;
         self.found.push((self.now.curve.clone(), self.error));
-        self.found.sort_by(|a, b| a.1.total_cmp(&b.1));
+        self.found = best_first(&self.found);
         self.found.truncate(CURVES_FINISHED + 1);
         match &self.home {
             Some((marked, error)) if *error <= self.error => {
@@ -456,4 +459,11 @@ impl Search {
         let temper = Temper { jitter: self.jitter, greed: self.greed, seed: self.rounds as u32 };
         Choice::new(&self.now, self.pairs, self.batch, self.error).of(freeing, using, temper)
     }
+}
+
+/// Curves by their errors.
+fn best_first(found: &[(ClosedCurve, f64)]) -> Vec<(ClosedCurve, f64)> {
+    let mut order: Vec<usize> = (0..found.len()).collect();
+    sort_indices(&mut order, &|i, j| found[i].1.total_cmp(&found[j].1));
+    order.into_iter().map(|i| found[i].clone()).collect()
 }

@@ -129,6 +129,7 @@ impl Straight {
     }
 
     /// One step; false where there is nothing more to do.
+    #[inline(never)]
     pub fn step(&mut self) -> bool {
         let Some((mut curve, error, steps)) = self.now.take() else {
             let Some(beginning) = self.beginnings.pop() else { return self.follow_all() };

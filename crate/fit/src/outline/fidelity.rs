@@ -78,6 +78,7 @@ impl Gauge {
     }
 
     /// The root mean square, and the square of the largest distance of the outline's points.
+    #[inline(never)]
     fn squares_of(&self, fit: &[DVec2]) -> (f64, f64) {
         let to_fit = Nearest::new(fit, true);
         let points = self.outline.points();
@@ -92,6 +93,7 @@ impl Gauge {
     }
 
     /// The Hausdorff distance, of which one direction is known, and the length of the fit.
+    #[inline(never)]
     fn reach_of(&self, fit: &[DVec2], mut farthest: f64) -> (f64, f64) {
         let (mut length, mut guess) = (0.0, 0);
         for (i, &a) in fit.iter().enumerate() {

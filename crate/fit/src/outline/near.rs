@@ -39,6 +39,7 @@ impl Nearest {
     ///
     /// With no point every answer is side 0 at an infinite distance.
     #[must_use]
+    #[inline(never)]
     pub fn new(points: &[DVec2], closed: bool) -> Self {
         let sides = if closed { points.len() } else { points.len().saturating_sub(1) };
         let (low, high) = if points.is_empty() { (DVec2::ZERO, DVec2::ZERO) } else { bounds(points) };

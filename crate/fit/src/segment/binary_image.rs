@@ -14,6 +14,7 @@ impl Bits {
     }
 
     /// The pixels whose value is above a level.
+    #[inline(never)]
     pub fn above(values: &[u8], width: usize, height: usize, level: f64) -> Self {
         let least = (0..=u8::MAX).find(|&value| f64::from(value) > level);
         let on = match least {
@@ -90,6 +91,7 @@ impl Bits {
 
     /// How many rows away the next pixel of each column is whose bit is `from`, `beyond` at most: row by row, as pixels
     /// lie in memory.
+    #[inline(never)]
     fn rows_away(&self, from: bool, beyond: u8) -> Vec<u8> {
         let mut far = vec![beyond; self.on.len()];
         let mut last = vec![beyond; self.width];
@@ -180,12 +182,14 @@ fn sum_of(parts: impl Iterator<Item = u8>) -> usize {
 }
 
 /// At how many places two rows differ, as far as both go.
+#[inline(never)]
 fn differing(a: &[bool], b: &[bool]) -> usize {
     let parts = a.chunks(MOST_COUNTED).zip(b.chunks(MOST_COUNTED));
     sum_of(parts.map(|(a, b)| a.iter().zip(b).map(|(a, b)| u8::from(a != b)).sum()))
 }
 
 /// The first place from `start` on whose bit is `wanted`, if there is one.
+#[inline(never)]
 pub fn find(row: &[bool], start: usize, wanted: bool) -> Option<usize> {
     /// So many are looked at together.
     const TOGETHER: usize = 16;

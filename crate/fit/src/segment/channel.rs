@@ -47,15 +47,16 @@ impl Channel {
             return rgba.chunks_exact(4).map(|pixel| pixel[3]).collect();
         }
         let mut values = Vec::with_capacity(rgba.len() / 4);
-        in_planes(rgba, |planes| self.read(planes, around, &mut values));
+        in_planes(rgba, &mut |planes| self.read(planes, around, &mut values));
         values
     }
 
     /// How often each value comes, for all of [`OF_COLOUR`](Self::OF_COLOUR): the picture is gone through once.
+    #[inline(never)]
     pub(super) fn histograms(rgba: &[u8], around: [u8; 3]) -> [[u64; 256]; 7] {
         let mut all = [[0; 256]; 7];
         let mut values = Vec::new();
-        in_planes(rgba, |planes| {
+        in_planes(rgba, &mut |planes| {
             for (channel, counts) in Self::OF_COLOUR.into_iter().zip(&mut all) {
                 values.clear();
                 channel.read(planes, around, &mut values);
@@ -90,7 +91,7 @@ impl Channel {
 }
 
 /// Calls with the red, green and blue of pixel after pixel, as many together as stay in the processor.
-fn in_planes(rgba: &[u8], mut act: impl FnMut(&[Vec<u8>; 3])) {
+fn in_planes(rgba: &[u8], act: &mut dyn FnMut(&[Vec<u8>; 3])) {
     const TOGETHER: usize = 1 << 13;
     let mut planes = [const { Vec::new() }; 3];
     for part in rgba.chunks(4 * TOGETHER) {
@@ -131,6 +132,7 @@ impl Opponent {
 }
 
 /// The middle colour along the border of a picture, by channels.
+#[inline(never)]
 pub(super) fn border_colour(rgba: &[u8], width: usize, height: usize) -> [u8; 3] {
     let mut counts = [[0_u64; 256]; 3];
     for i in border(width, height) {
@@ -153,6 +155,7 @@ pub(super) fn border(width: usize, height: usize) -> impl Iterator<Item = usize>
 }
 
 /// Each value averaged with its eight neighbours, the near ones more.
+#[inline(never)]
 pub(super) fn blur(values: &[u8], width: usize) -> Vec<u8> {
     let mut rows = vec![0_u16; values.len()];
     for (row, sums) in values.chunks_exact(width.max(1)).zip(rows.chunks_exact_mut(width.max(1))) {

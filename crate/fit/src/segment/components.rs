@@ -135,6 +135,7 @@ impl Parts {
     }
 
     /// The piece of each pixel, or [`NONE`].
+    #[inline(never)]
     pub fn labels(&self) -> Vec<u32> {
         let mut labels = vec![NONE; self.pixels];
         for run in &self.runs {
@@ -155,6 +156,7 @@ impl Parts {
     }
 
     /// What belongs to these pieces.
+    #[inline(never)]
     pub fn bits_where(&self, width: usize, height: usize, of: impl Fn(usize) -> bool) -> Bits {
         let mut bits = Bits::new(width, height);
         for (run, _) in self.runs().filter(|(_, label)| of(*label)) {
@@ -166,6 +168,7 @@ impl Parts {
 
 /// Fills holes of at most `most` pixels, but for those in which a pixel is `open`. A pixel of each that was filled, and
 /// how many it has.
+#[inline(never)]
 pub fn fill_holes(bits: &mut Bits, most: usize, open: impl Fn(usize) -> bool) -> Vec<(usize, usize)> {
     let holes = parts(bits, false, false);
     let mut filled: Vec<bool> =

@@ -22,6 +22,7 @@ impl Field {
 
     /// The longest way round by area: where the field, straight between neighbouring pixels, is zero (marching squares,
     /// told apart at saddles by the mean). In pixels from the upper left corner, y down; empty where all is outside.
+    #[inline(never)]
     pub fn contour(&self) -> Vec<DVec2> {
         let (columns, rows) = (self.width + 1, self.height + 1);
         // A cell's upper left pixel is (x - 1, y - 1). Ways start at edges with the inside on the right, which a way
@@ -47,6 +48,7 @@ impl Field {
 
     /// Follows a way from cell (x, y), which it enters through its left side, back to there. The inside is on its right
     /// (on the screen).
+    #[inline(never)]
     fn walk(&self, x: usize, y: usize, seen: &mut [bool]) -> Vec<DVec2> {
         let columns = self.width + 1;
         let start = (x, y);

@@ -58,6 +58,7 @@ struct Sampled<'a> {
 }
 
 impl<'a> Sampled<'a> {
+    #[inline(never)]
     fn new(rgba: &'a [u8], width: usize, height: usize) -> Self {
         let factor = ((width * height) as f64 / MOST_PIXELS as f64).sqrt().max(1.0);
         let less = |side: usize| ((side as f64 / factor) as usize).clamp(1, side);
@@ -94,6 +95,7 @@ impl<'a> Sampled<'a> {
     }
 
     /// Even colours that the border may have, with how much each pixel may differ from it: of its sides and corners.
+    #[inline(never)]
     fn colours(&self) -> Vec<([u8; 3], u8)> {
         let (width, height) = (self.width, self.height);
         let corner = (width.min(height) / 40).max(1);
@@ -138,6 +140,7 @@ fn apart(pixel: &[u8], colour: [u8; 3]) -> u8 {
 
 /// What may be a frame: a clear margin, or clear corners around what is opaque, if that is a card and no shape; where
 /// `coloured`, then one of one colour, the likeliest first.
+#[inline(never)]
 pub fn likely(rgba: &[u8], width: usize, height: usize, coloured: bool) -> Vec<Frame> {
     let small = Sampled::new(rgba, width, height);
     let clear = found(&small, &small.bits(|pixel| pixel[3] < 128), true);
@@ -151,6 +154,7 @@ pub fn likely(rgba: &[u8], width: usize, height: usize, coloured: bool) -> Vec<F
 }
 
 /// What hangs together with the border in `even` as a frame, if what it leaves open is a field.
+#[inline(never)]
 fn found(small: &Sampled<'_>, even: &Bits, clear: bool) -> Option<Frame> {
     let (width, height) = (small.width, small.height);
     if !even.on.contains(&true) {
@@ -197,6 +201,7 @@ fn found(small: &Sampled<'_>, even: &Bits, clear: bool) -> Option<Frame> {
 }
 
 /// A frame at full size, with the edge to what is inside.
+#[inline(never)]
 fn enlarged(around: &Bits, small: &Sampled<'_>, clear: bool) -> Bits {
     let [width, height] = small.full;
     let [across, down] = small.scale();

@@ -6,6 +6,7 @@ use super::components::{Parts, parts};
 
 /// Adds what is a little like the leaf and lies in a gap of it no wider than twice `radius`: the bits of a pale stalk
 /// that lies across the blade, of a vein, of a glint. Gaps in which the ground is seen stay.
+#[inline(never)]
 pub fn close_slits(bits: &mut Bits, likeness: &[u8], weak: f64, radius: f64) {
     let closed = bits.grown(radius).shrunk(radius);
     let mut gap = Bits::above(likeness, bits.width, bits.height, weak);
@@ -101,6 +102,7 @@ fn stalks(bits: &Bits, whole: &Parts, width: f64) -> Vec<(usize, f64, Vec<usize>
 }
 
 /// Drops pieces that are thin all over: rules, scratches, hairs. The largest stays, whatever it is.
+#[inline(never)]
 pub fn drop_thin(bits: &mut Bits, radius: usize) {
     let found = parts(bits, true, true).largest(1, usize::MAX);
     let thick = bits.opened_by_square(radius);

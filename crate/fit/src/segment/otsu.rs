@@ -16,6 +16,7 @@ pub struct Level {
 /// The line that leaves the least spread within its two classes (Otsu 1979): half way between their means.
 ///
 /// None where all values are the same.
+#[inline(never)]
 pub fn split(counts: &[u64; 256]) -> Option<Level> {
     let all: u64 = counts.iter().sum();
     let weighed = |k: usize| k as f64 * counts[k] as f64;
@@ -62,6 +63,7 @@ pub fn histogram(values: &[u8]) -> [u64; 256] {
 
 /// Adds how often each value comes. Neighbours are mostly alike: each of four has a table of its own, and need not wait
 /// for the one before it.
+#[inline(never)]
 pub fn count(values: &[u8], counts: &mut [u64; 256]) {
     let mut tables = [[0_u32; 256]; 4];
     let fours = values.chunks_exact(4);

@@ -1,5 +1,7 @@
 //! Which channel tells the leaf from its ground, and where the line between them is.
 
+use frond_core::shared::sort_indices;
+
 use super::binary_image::Bits;
 use super::channel::{Channel, blur, border, border_colour};
 use super::otsu::{Level, histogram, quantile, split};
@@ -78,18 +80,22 @@ pub fn choose(rgba: &[u8], width: usize, height: usize) -> Option<Choice> {
 
 /// The best channel as it is. What a histogram promises is known for all before one is looked at, and the most
 /// promising come first: mostly the others cannot win any more then.
+#[inline(never)]
 fn sharpest(rgba: &[u8], around: [u8; 3], width: usize, height: usize) -> Option<(f64, Choice)> {
     let all = Channel::histograms(rgba, around);
-    let mut lines: Vec<(usize, Lines)> =
-        all.into_iter().enumerate().filter_map(|(i, counts)| Some((i, Lines::new(counts)?))).collect();
-    lines.sort_by(|(_, a), (_, b)| b.most.total_cmp(&a.most));
+    let mut order: Vec<usize> = (0..all.len()).collect();
+    let lines = all.map(Lines::new);
+    let most = |i: usize| lines[i].as_ref().map_or(-1.0, |lines| lines.most);
+    sort_indices(&mut order, &|i, j| most(j).total_cmp(&most(i)));
     let mut best: Option<(usize, f64, Choice)> = None;
-    for (i, lines) in lines {
-        if best.as_ref().is_some_and(|(_, most, _)| lines.most < *most) {
+    for i in order {
+        let Some(lines) =
+            lines[i].as_ref().filter(|lines| lines.most >= best.as_ref().map_or(0.0, |best| best.1))
+        else {
             break;
-        }
+        };
         let channel = Channel::OF_COLOUR[i];
-        let (score, choice) = judge(channel, channel.values(rgba, around), &lines, width, height);
+        let (score, choice) = judge(channel, channel.values(rgba, around), lines, width, height);
         // Of equals the plainest.
         if best.as_ref().is_none_or(|(first, most, _)| score > *most || (score == *most && i < *first)) {
             best = Some((i, score, choice));
@@ -99,6 +105,7 @@ fn sharpest(rgba: &[u8], around: [u8; 3], width: usize, height: usize) -> Option
 }
 
 /// Whether part of a picture is clear, more than a few pixels, and part of it is not.
+#[inline(never)]
 pub fn is_cut_out(rgba: &[u8]) -> bool {
     let all = rgba.len() / 4;
     let solid = rgba.chunks_exact(4).filter(|pixel| pixel[3] >= 128).count();
@@ -106,6 +113,7 @@ pub fn is_cut_out(rgba: &[u8]) -> bool {
 }
 
 /// What is half transparent is seen on white; None where nothing is.
+#[inline(never)]
 fn over_white(rgba: &[u8]) -> Option<Vec<u8>> {
     if rgba.chunks_exact(4).all(|pixel| pixel[3] == 255) {
         return None;
@@ -145,6 +153,7 @@ impl Lines {
 }
 
 /// Draws the line in one channel, and says how well it parts a shape from its ground.
+#[inline(never)]
 fn judge(channel: Channel, mut values: Vec<u8>, lines: &Lines, width: usize, height: usize) -> (f64, Choice) {
     let Lines { mut counts, mut level, contrast, .. } = *lines;
     let share = |bits: &Bits| {

@@ -104,6 +104,7 @@ impl Tracer {
 
     /// How far inside a pixel is, -1 to 1: its tone, and what comes of each, first where it is off, then where it is on.
     /// With no tones nothing stands out.
+    #[inline(never)]
     fn depths<'a>(&'a self, mask: &'a Mask) -> (Option<&'a [u8]>, [[f32; 256]; 2]) {
         let of = |soft: &dyn Fn(u8) -> f32| {
             let mut depths = [[0.0; 256]; 2];
@@ -141,6 +142,7 @@ fn mended(on: bool) -> f32 {
 }
 
 /// How many holes that can be seen a piece has, or had before they were filled; `piece` is it with a rim round it.
+#[inline(never)]
 fn holes(mask: &Mask, component: usize, piece: &Bits) -> usize {
     let least = (mask.components[component].area / SEEN_HOLE).max(LEAST_HOLE);
     let filled =
@@ -151,6 +153,7 @@ fn holes(mask: &Mask, component: usize, piece: &Bits) -> usize {
 }
 
 /// Each value averaged with its neighbours: 1, 2, 1 across and down.
+#[inline(never)]
 fn smooth(values: &[f32], width: usize) -> Vec<f32> {
     let mut across = vec![0.0; values.len()];
     for (row, sums) in values.chunks_exact(width).zip(across.chunks_exact_mut(width)) {

@@ -1,5 +1,7 @@
 //! Polylines with corners at feature points: what a function of copies has to beat.
 
+use frond_core::shared::sort_indices;
+
 use super::super::features::Features;
 
 /// How far the points between two feature points are from the chord of these, for any two.
@@ -55,8 +57,9 @@ impl Chords {
 
     /// The corners of the polyline that is least far off, of those with at most so many pieces; two are the least.
     pub fn nearest(&self, pieces: usize) -> Vec<usize> {
-        let mut sizes = self.farthest.clone();
-        sizes.sort_by(f64::total_cmp);
+        let mut order: Vec<usize> = (0..self.farthest.len()).collect();
+        sort_indices(&mut order, &|i, j| self.farthest[i].total_cmp(&self.farthest[j]));
+        let mut sizes: Vec<f64> = order.into_iter().map(|i| self.farthest[i]).collect();
         sizes.dedup();
         let enough = |&size: &f64| self.fewest(size).len() > pieces.max(2) + 1;
         let at = sizes.partition_point(enough).min(sizes.len() - 1);

@@ -5,6 +5,7 @@ use crate::segment::binary_image::Bits;
 const NOWHERE: u32 = u32::MAX;
 
 /// The picture without a frame: each pixel of it has the colour of a pixel inside that is near it.
+#[inline(never)]
 pub fn without(rgba: &[u8], around: &Bits) -> Vec<u8> {
     let (width, height) = (around.width, around.height);
     let mut from: Vec<u32> =

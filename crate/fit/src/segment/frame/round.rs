@@ -1,5 +1,7 @@
 //! A disc, perhaps cut by the border of the picture, or an upright ellipse.
 
+use frond_core::shared::sort_indices;
+
 use crate::segment::binary_image::Bits;
 
 /// The rim is a circle to this part of its radius, at so many places at least: there may be a leaf that touches it.
@@ -137,9 +139,10 @@ fn central(rim: &[[f64; 2]], width: usize, height: usize) -> Disc {
         centre: [width, height].map(|side| 0.5 * (side as f64 - 1.0)),
         radii: [width, height].map(|side| 0.5 * side as f64),
     };
-    let mut far: Vec<f64> = rim.iter().map(|&p| whole.of(p)).collect();
-    far.sort_by(f64::total_cmp);
-    let part = far[far.len() / 2];
+    let far: Vec<f64> = rim.iter().map(|&p| whole.of(p)).collect();
+    let mut order: Vec<usize> = (0..far.len()).collect();
+    sort_indices(&mut order, &|i, j| far[i].total_cmp(&far[j]));
+    let part = far[order[far.len() / 2]];
     Disc { radii: whole.radii.map(|radius| part * radius), ..whole }
 }
 
