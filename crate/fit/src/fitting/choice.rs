@@ -19,8 +19,9 @@ pub(crate) struct Temper {
 
 /// Offers by what they cost.
 pub(crate) fn cheapest_first(offers: &[Offer], cost: &dyn Fn(&Offer) -> f64) -> Vec<Offer> {
+    let costs: Vec<f64> = offers.iter().map(cost).collect();
     let mut order: Vec<usize> = (0..offers.len()).collect();
-    sort_indices(&mut order, &|i, j| cost(&offers[i]).total_cmp(&cost(&offers[j])));
+    sort_indices(&mut order, &|i, j| costs[i].total_cmp(&costs[j]));
     order.into_iter().map(|i| offers[i]).collect()
 }
 
@@ -53,6 +54,8 @@ impl<'a> Choice<'a> {
         }
         let per = |offer: &Offer| offer.cost / f64::from(offer.numbers.abs().max(1));
         let freeing = cheapest_first(&freeing, &per);
+        let least = 1e-4 * self.error;
+        using.retain(|offer| offer.cost < -least);
         let using = cheapest_first(&using, &|offer| offer.cost);
         let mut touched = vec![false; self.now.marks.len()];
         let mut claim = |action: &Move| {
@@ -68,8 +71,7 @@ impl<'a> Choice<'a> {
         let mut spare = 2 * (self.pairs as i32 - used as i32);
         let mut sellers = freeing.iter();
         let mut owed = 0.0;
-        let least = 1e-4 * self.error;
-        for offer in using.iter().filter(|offer| offer.cost < -least) {
+        for offer in &using {
             if moves.len() >= 2 * self.batch {
                 break;
             }
