@@ -85,7 +85,7 @@ export class FitTool {
 
   /** There is a fit, and nothing better is being looked for. */
   async fitted(): Promise<void> {
-    await expect(this.status).toHaveText(/^\d.* off, \d+ numbers$/);
+    await expect(this.status).toHaveText(/^\d.* error, \d+ numbers$/);
   }
 
   async few(numbers: number): Promise<void> {

@@ -46,7 +46,7 @@ test("a point is followed by keys, a press and numbers, and its address is writt
   await panel(page).getByRole("button", { name: "Next digit" }).click();
   await expect(address(page)).toHaveText("1 2 …");
 
-  const chosen = page.getByRole("button", { name: /^The chosen point/ });
+  const chosen = page.getByRole("button", { name: /^The selected point/ });
   await chosen.focus();
   await chosen.press("ArrowLeft");
   await expect(field(page, "x")).not.toHaveValue("0.5");

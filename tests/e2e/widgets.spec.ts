@@ -14,7 +14,7 @@ test("every widget is drawn in every state, and stands in the way of nobody", as
     await expect(page.getByRole("region", { name: "ShapeGrid" })).toBeVisible();
     await page.getByRole("spinbutton", { name: "Refused" }).fill("1/0");
     await page.keyboard.press("Enter");
-    await expect(page.getByRole("alert").filter({ hasText: "Kept" })).toBeVisible();
+    await expect(page.getByRole("alert").filter({ hasText: "Still" })).toBeVisible();
     await expectClean(page);
     await page.getByRole("button", { name: "More", exact: true }).click();
     await expect(page.getByRole("menuitem")).toHaveCount(3);
