@@ -120,7 +120,7 @@ function bareTexts(path: string, code: string): Bare[] {
 /** Texts for programs that look like sentences, each with the file or folder that it is in. */
 const FOR_PROGRAMS: readonly (readonly [where: string, text: RegExp])[] = [
   // HTML that somebody copies or downloads.
-  ["shell/ShareDialog.tsx", /<|style=/],
+  ["shell/publish/ShareDialog.tsx", /<|style=/],
   ["shell/publish/folder.ts", /[<>{}]|^light dark$|^autoplay loop$/],
   // Names of gestures.
   ["tools/deform/mesh/handles/HandleFields.tsx", /^mesh field$/],

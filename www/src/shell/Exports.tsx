@@ -8,7 +8,7 @@ import { PictureDialog } from "#film/picture/PictureDialog";
 import { link } from "./actions";
 import { Recent } from "./kept/Recent";
 import { printable } from "./print/print";
-import { ShareDialog } from "./ShareDialog";
+import { ShareDialog } from "./publish/ShareDialog";
 import { addressOf, stageStill } from "./save";
 import { openedTool } from "./tools";
 

@@ -1,5 +1,5 @@
 /** What the tool Space says. */
-import { counted, plural } from "#format/plural";
+import { plural } from "#format/plural";
 
 export const object = "The object";
 export const startToDeform = "Start to deform";
@@ -314,113 +314,6 @@ export const waypointAdded = (number: number, count: number, point: string) =>
 export const waypointRemoved = (number: number, count: number) =>
   `Waypoint ${number} removed, ${count} left.`;
 
-export const atMost = (dimension: string) => `at most ${dimension}`;
-export const exactIfPiecesDo = "exact if its pieces do not overlap: all maps are similitudes";
-export const affinityDimensionNotAll = "the affinity dimension: not all maps are similitudes";
-export const atLeastInSuitable = "at least, in suitable coordinates";
-export const counting = "Counting …";
-export const count = "Count";
-export const countedBoxes = (sizes: number, count: string) =>
-  `counted: ${sizes} sizes of boxes, ${count} of the smallest`;
-
-export const dimensionUnless = (dimension: string) => `dimension ${dimension}, unless pieces overlap`;
-export const dimensionAtMost = (dimension: string) => `dimension at most ${dimension}`;
-export const moreAboutObject = "More about the object";
-export const maps = "Its maps";
-export const facts = "Facts";
-export const shadowOnPlane = "Shadow on a plane";
-
-export const mapsUnchanged = (reason: string) => `${reason} The maps are unchanged.`;
-export const mapNew = (number: number) => `Added map ${number}.`;
-export const addMap = "Add a map";
-export const backToDone = (name: string) => `Back to ${name}.`;
-export const backTo = (name: string) => `Back to ${name}`;
-export const mostMaps = (count: number) => `A shape has at most ${count} maps.`;
-
-export const volumes = "Volumes";
-
-export const newFrom = (axis: string, source: string) => `New ${axis} from ${source}`;
-export const moveAlong = (axis: string) => `Move along ${axis}`;
-
-export const naturalScene = "A natural scene";
-export const hillsTreesWithBark =
-  "Hills, trees with bark and leaves, ferns and clouds in evening light: all of them attractors, seen from the origin.";
-export const fromPlane = (name: string) => `${name}, from the plane`;
-export const shapeMorphToolAs = "The shape of the Morph tool, as a flat sheet at z = 0.";
-export const objectCount = (count: number) => `${count} objects`;
-export const whereTo = (name: string) => `Where should ${name} go?`;
-export const shapesInSpace = "Shapes in space";
-export const nothingHasChangedYet = "Nothing has changed yet.";
-export const eachNothingButHandful = "Each is nothing but a handful of maps.";
-export const placeAs = "Place it as";
-export const newScene = "New scene";
-export const startsOverWithWithout = "Starts over with it, without the morph and the timeline";
-export const insteadOf = (name: string) => `Replaces ${name}`;
-export const replace = "Replace";
-export const add = "Add";
-export const allStay = (count: number) => `all ${count} stay`;
-export const replaceWhat = (name: string) => `Replace ${name}`;
-export const oneLeaves = (name: string) => `${name} is removed`;
-export const allLeave = (count: number) => `all ${count} are removed`;
-export const backToShapes = "Back to the shapes";
-export const firstChooseShapeThen = "First choose a shape. Then Frond asks what to do with the objects here.";
-export const newSceneAllObjects = "A new scene. All objects are removed; Undo brings them back.";
-export const replacesSelectedObjectWith =
-  "It replaces the selected object, with the same transformation and colour.";
-export const addedToScene = "It is added to the scene.";
-
-export const objects = "Objects";
-export const chooseAnother = (name: string) => `${name}. Choose another shape`;
-export const addAnotherObjectTo = "Add another object to the scene";
-export const mapsSpaceFromFractint =
-  "Maps of space from Fractint and other programs. Maps of the plane open in Morph";
-export const openIfs = "Open .ifs…";
-export const currentParametersForFractint = "The current parameters, for Fractint and for Frond";
-export const saveIfs = "Save .ifs";
-export const selectedObject = "Selected object";
-export const oneColourFor = (name: string) => `One colour for all of ${name}`;
-export const oneColourForWhole = "One colour for the whole object";
-export const useColoursMaps = "Use the colours of its maps";
-export const remove = (name: string) => `Remove ${name}`;
-export const isRemoved = (name: string) => `${name} is removed.`;
-
-export const addedWithMaps = (name: string, count: number) => `${name} is added, with ${count} maps.`;
-export const replacedWithMaps = (name: string, count: number) =>
-  `${name} replaces the scene, with ${count} maps. Undo brings it back.`;
-export const objectNotSaved = (name: string, problem: string) => `${name} could not be saved: ${problem}`;
-
-export const isAdded = (name: string) => `${name} is added.`;
-export const replaces = (name: string, other: string) =>
-  `${name} replaces ${other}, with the same transformation and colour.`;
-export const isAlone = (name: string) => `${name} is the new scene. All other objects are removed.`;
-export const thereLaterChangesUndo = "There are later changes. Undo, in the header, goes back step by step.";
-export const undo = "Undo";
-export const mostObjects = (count: number) => `A scene has at most ${count} objects. Remove some first.`;
-export const cannotUse = (name: string, problem: string) => `${name} cannot be used: ${problem}`;
-
-export const remainingThickness = "Remaining thickness";
-export const enterNumberAbove0 = "Enter a number above 0, at most 1.";
-export const largestNumber = (number: string, growing: string) =>
-  `The largest number is ${number}. ${growing}`;
-
-export const directionNeedsLength = "The direction needs a length.";
-export const lightAlong = (axis: string) => `Parallel light along ${axis}: what is its shadow?`;
-export const kept = "kept";
-export const asViewed = "As viewed";
-export const directionOf = (axis: string) => `Direction, ${axis}`;
-export const shape2 = "a shape";
-export const everyMapKeepsDirection =
-  "Every map keeps the direction, so what it does to the shadow depends only on the shadow.";
-export const morph3 = "Morph it";
-export const bend = "Bend it";
-export const frondFindsNoIfs = "Frond finds no IFS of the plane for this shadow from these maps.";
-export const noDirectionKeptBy = "No direction is kept by all of its maps.";
-export const keptAre = (directions: string) => `Directions kept: ${directions}.`;
-
-export const shadowOf = (name: string) => `Shadow of ${name}`;
-export const isShapeA = (name: string) => `${name} is now shape A.`;
-export const shadowNotUsed = (problem: string) => `This shadow cannot be used there: ${problem}`;
-
 export const youLookingAroundReturn = "You are looking around. Return to the flight";
 export const backToFlight = "Back to the flight";
 export const objectNumber = (number: number) => `object ${number}`;
@@ -470,126 +363,6 @@ export const nothingInView = "Nothing is in view.";
 export const eyeInside = (name: string) => `The eye is inside ${name}.`;
 export const eyeInsideSeveral = (count: number) => `The eye is inside ${count} objects.`;
 
-export const loop = "Loop";
-export const lastKeyframeAtVery =
-  "The last keyframe is at the very end. If it differs from the first, the animation jumps back from there. “Back and forth” plays in reverse instead.";
-
-export const moreOptionsForTime = "More options for time";
-export const flyAround = "Fly around";
-export const smoothAtKeyframes = "Smooth at the keyframes";
-export const straightBetweenKeyframes = "Straight between keyframes";
-export const halfSpeed = "Half speed";
-export const doubleSpeed = "Double speed";
-export const openSavedAnimation = "Open a saved animation …";
-export const exportLabel = "Export …";
-export const removeAllKeyframes = "Remove all keyframes";
-
-export const moment = "Moment";
-export const ofLabel = "of";
-export const length = "Length";
-
-export const smooth = "Smooth";
-export const withoutJerksAtKeyframes = "Without jerks at the keyframes, and never past them";
-export const straight = "Straight";
-export const timeAndKeyframes = "Time and keyframes";
-export const betweenKeyframes = "Between keyframes";
-export const open = "Open …";
-export const noAnimationYetThere = "No animation yet: there are no keyframes.";
-export const thenEase = (ease: string) => `then ${ease}`;
-export const deleteKey = (number: number) => `Delete keyframe ${number}`;
-
-export const setTwoKeyframesOr = "set two keyframes, or fly through";
-export const noAnimationYet = "No animation yet.";
-export const setKeyframeMoveTo = "Set a keyframe, move to another time, change the view, set another.";
-export const saveAsFilmAnimation = "Save it as a film, an animation or numbers";
-export const filmPercent = (percent: number) => `Film ${percent}%`;
-
-export const keyAfterEnd = (number: number, seconds: string) =>
-  `Keyframe ${number} is at ${seconds} s. Move it first, or speed up the whole animation.`;
-
-export const pressPlayToSee = " Press Play to see it.";
-export const flightOf = (time: string, count: number, hint: string) =>
-  `A flight of ${time} with ${count} keyframes.${hint}`;
-
-export const easeFrom = (number: number, ease: string) => `From keyframe ${number} on: ${ease}`;
-export const easeAfter = (number: number, ease: string) => `Easing after keyframe ${number}: ${ease}`;
-
-export const keyOf = (number: number, count: number) => `Keyframe ${number} of ${count}`;
-export const keysFull = (count: number) => `There are ${count} keyframes already`;
-export const keepsViewPlaceEach = "Keeps the view, the place of each object and the morph at this moment";
-export const setKeyframe2 = "Set keyframe";
-export const keepCurrentStateAt = "keep the current state at this moment";
-export const setKeyframeToThis = "Set keyframe to this view";
-
-export const keyframes = "Keyframes";
-export const keyAbout = (time: string, contents: string, ease: string) =>
-  `${time}: ${contents}; then ${ease}`;
-export const keyOfAt = (number: number, count: number, words: string) =>
-  `Keyframe ${number} of ${count}, at ${words}`;
-export const keyKeys = (number: number, words: string) =>
-  `Keyframe ${number} at ${words}. Arrows move it, Delete removes it.`;
-
-export const keysLimit = (count: number) => `There are ${count} keyframes already. Delete one first.`;
-export const keySet = (number: number, count: number, time: string, contents: string) =>
-  `Keyframe ${number} of ${count} at ${time}: ${contents}.`;
-export const nothingMovesAnyMore = "Nothing moves any more, and everything stays in place.";
-export const keysLeft = (count: number) => `${count} left.`;
-export const allKeyframesRemovedAnd =
-  "All keyframes are removed, and everything stays as it is now. Undo brings them back.";
-export const thisWouldTooLong = "This would be too long, too short, or keyframes would meet.";
-export const timelineNow = (time: string) => `The timeline is now ${time} long.`;
-
-export const thisFileLargerThan =
-  "This file is larger than 64 MB. Save it with fewer frames, or as “Shapes and keyframes”.";
-export const thisFileDamagedSave = "This file is damaged. Save the animation again, and open that.";
-export const opened = (name: string, what: string) => `Opened ${name}.${what}`;
-export const eachFrame = (count: number) => ` Each of its ${count} frames is a keyframe.`;
-
-export const thisFileContainsNo = "This file contains no frames.";
-export const tooManyFrames = (count: number, most: number) =>
-  `This file has ${count} frames; the limit is ${most}. Save fewer.`;
-export const frameProblem = (number: number, problem: string) => `Frame ${number} of this file ${problem}`;
-export const frameNotLater = (number: number) =>
-  `Frame ${number} of this file is not later than the one before it.`;
-export const frameObjects = (number: number, count: number, before: number) =>
-  `Frame ${number} of this file has ${count} objects, but the one before it has ${before}. Each frame needs all objects.`;
-export const hasTimeNotNumber = "has a time that is not a number of seconds.";
-export const needsObjects = (most: number) => `does not have 1 to ${most} objects.`;
-export const needsParameters = (number: number) =>
-  `has no parameters for object ${number}. Each of its maps must be a list of 12 numbers.`;
-export const objectOf = (number: number) => `Object ${number}`;
-export const doesNotSayWhere =
-  "does not say where it is seen from: an eye, a target, a turn, a tilt and an angle.";
-export const tooManyKeys = (count: number, most: number) =>
-  `These ${count} frames belong to no keyframes that Frond knows, or were changed. A timeline has at most ${most} keyframes, so leave out some frames.`;
-
-export const thisNotJsonFile =
-  "This is not a JSON file, or it is damaged. Choose one saved by the export of Space.";
-export const thisFileContainsNoAnimation =
-  "This file contains no animation of space. Choose one saved by the export of Space.";
-
-export const atConstantSpeed = "At constant speed";
-export const slowAtFirst = "Slow at first";
-export const slowAtEnd = "Slow at the end";
-export const slowAtBothEnds = "Slow at both ends";
-export const holdThenJump = "Hold, then jump";
-export const none2 = "None";
-export const stopsAtEnd = "Stops at the end";
-export const restart = "Restart";
-export const startsAgainLastKeyframe =
-  "Starts again: the last keyframe leads to the first, and jumps there from the very end";
-export const backAndForth = "Back and forth";
-export const playsInReverseFrom = "Plays in reverse from the end";
-export const nothingMoves = (time: string) => `${time}, nothing moves`;
-export const betweenKeyframes2 = "between keyframes";
-export const keyCount = (number: number, count: number) => `keyframe ${number} of ${count}`;
-export const momentOf = (now: string, all: string, key: string) => `${now} of ${all}, ${key}`;
-export const view2 = "the view";
-export const oneObject = "one object";
-export const objectsMoved = (count: number) => `${count} objects`;
-export const morphAt = (place: string) => `the morph at ${place}`;
-export const nothingYet = "nothing yet";
-
 export const object2 = "Object";
 
 export const undeformed =
@@ -601,28 +374,7 @@ export const reflects = (maps: readonly (string | number)[]) =>
     one: `Map ${maps[0]} is mirrored in one shape only, so it is flattened on the path.`,
     other: `Maps ${maps.join(", ")} are mirrored in one shape only, so they are flattened on the path.`,
   });
-export const flat = "flat";
-export const volumesTimes = (factor: string, mirrored: string) => `volumes times ${factor}${mirrored}`;
-export const mirroredAside = ", mirrored";
-export const originalMaps =
-  "The original maps, before the transformation. You can type formulas: 1/3, √3/2, cos 30°.";
-export const originalMapsKeyed =
-  "The original maps, before the transformation. You can type formulas: 1/3, √3/2, cos 30°. With a timeline, your changes become part of a keyframe at this moment.";
-export const shadowAxes =
-  "In the axes of the shadow: x to the right, y up, z along the light. They are left-handed, so these are the maps of a mirror image.";
-export const firstOfMaps = (shown: number, count: number) => `The first ${shown} of ${count} maps.`;
-export const shadowIs = (count: number) =>
-  `This shadow is an IFS of the plane: ${counted(count, "map", "maps")}.`;
-export const shadowIsOf = (count: number, different: number) =>
-  `This shadow is an IFS of the plane: ${counted(count, "map", "maps")}, of which ${different} differ.`;
-export const loopIs = (loop: string) => `Loop: ${loop}`;
-export const keyDeleted = (number: number, left: string) => `Keyframe ${number} deleted. ${left}`;
 export const lightAndColours = " light and colours";
 export const theView = " the view";
 export const colourSource = "Colour by";
 export const pairEach = "Which map each becomes";
-export const contractsBy = "Contracts by";
-export const centre = "Centre";
-export const radius = "Radius";
-export const transformation = "Transformation";
-export const inBoxes = "In boxes";

@@ -1,6 +1,6 @@
 import { NumberField } from "#ui/controls/NumberField";
-import * as messages from "../messages";
 import css from "./graph.module.css";
+import * as messages from "./messages";
 
 interface DomainFieldsProps {
   domain: readonly [from: number, to: number];

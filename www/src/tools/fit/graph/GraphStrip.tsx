@@ -1,6 +1,6 @@
-import * as messages from "../messages";
 import { choose, chosen, current, found, running } from "./find/search";
 import css from "./graph.module.css";
+import * as messages from "./messages";
 import { series } from "./model/series";
 import { countWords, nameOf } from "./model/words";
 

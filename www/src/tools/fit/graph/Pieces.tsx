@@ -8,9 +8,9 @@ import { Switch } from "#ui/controls/Switch";
 import { CopiedSpan } from "../by-hand/CopiedSpan";
 import { IndexSelect } from "../by-hand/IndexSelect";
 import { colourOf, PieceList, PieceNumber } from "../by-hand/PieceList";
-import * as messages from "../messages";
 import { DomainFields } from "./DomainFields";
 import css from "./graph.module.css";
+import * as messages from "./messages";
 import {
   asPlaneCurve,
   changeModel,

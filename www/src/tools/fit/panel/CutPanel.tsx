@@ -7,7 +7,6 @@ import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Component } from "#workers/fit/trace-types";
 import fitCss from "../fit.module.css";
-import * as messages from "../messages";
 import { brushSize, exact, type Hand, hand } from "../stage/brush";
 import { step } from "../stage/layers";
 import {
@@ -29,6 +28,7 @@ import {
 import { former, opened, takeFormer } from "../work/source";
 import { type Quarters, turnPicture } from "../work/turn";
 import { bringBackWords } from "./bring-back";
+import * as messages from "./messages";
 
 /** Between a picture and its outline: the mask and what mends it. */
 export function CutPanel() {

@@ -5,7 +5,6 @@ import { percent } from "#format/nearness";
 import { Button } from "#ui/controls/Button";
 import type { FitFigures, Rival } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
-import * as messages from "../messages";
 import { cutting } from "../stage/layers";
 import { compareWords, METHODS, roughWords, signed } from "../words";
 import { cancel, collage, fitAgain, rivals, rivalsWhole, shownFigures, shownFit } from "../work/fitting";
@@ -13,6 +12,7 @@ import { numbersOf, prepared } from "../work/outline";
 import { awaited, cancelled, problem, running } from "../work/progress";
 import { source } from "../work/source";
 import { Bars, Fact, Table } from "./facts";
+import * as messages from "./messages";
 import { WithinFigures } from "./WithinPanel";
 
 const model = computed(() => fitDocument.value.model);

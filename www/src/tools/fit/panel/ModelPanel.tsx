@@ -7,10 +7,10 @@ import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { CollageOptions } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
-import * as messages from "../messages";
 import { cutting } from "../stage/layers";
 import { collage, collageOptions } from "../work/fitting";
 import { prepared } from "../work/outline";
+import * as messages from "./messages";
 import { Within } from "./WithinPanel";
 
 /** What the outline is fitted with. */

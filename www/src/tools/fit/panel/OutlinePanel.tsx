@@ -3,10 +3,10 @@ import { endGesture } from "#document/scene";
 import { SliderField } from "#ui/controls/SliderField";
 import { useOwnId } from "#ui/id";
 import fitCss from "../fit.module.css";
-import * as messages from "../messages";
 import { cutting } from "../stage/layers";
 import { prepared } from "../work/outline";
 import { chooseOutline, source } from "../work/source";
+import * as messages from "./messages";
 import { pathOf } from "./silhouette";
 
 const MOST_LISTED = 40;

@@ -3,11 +3,11 @@ import { FileButton } from "#ui/files/FileButton";
 import type { Grown } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
 import { ToShelf } from "../kept/KeptPanel";
-import * as messages from "../messages";
 import { takeSeries } from "../series";
 import { prepared, SEEDS } from "../work/outline";
 import { former, type Source, source, takeFile, takeFormer, takeSource } from "../work/source";
 import { ACCEPT, READS } from "./formats";
+import * as messages from "./messages";
 
 const take = (file: File) => void takeFile(file, file.name, takeSeries);
 

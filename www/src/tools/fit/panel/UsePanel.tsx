@@ -2,7 +2,6 @@ import { fitDocument, type Use } from "#document/fit";
 import { Button } from "#ui/controls/Button";
 import fitCss from "../fit.module.css";
 import { croppedPhotograph, photographed } from "../kept/photograph";
-import * as messages from "../messages";
 import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";
 import { bendPhotograph, fernFit, shownShape, use, waiting } from "../use";
@@ -13,6 +12,7 @@ import { running } from "../work/progress";
 import { source } from "../work/source";
 import { stalk } from "../work/stalked";
 import { shownWithin, withinDone } from "../work/within";
+import * as messages from "./messages";
 
 /** Only what waits can be taken back. */
 const heldFor = (to: Use) => (waiting.value === to ? { pressed: true } : {});

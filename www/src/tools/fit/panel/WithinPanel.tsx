@@ -4,13 +4,13 @@ import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
 import type { ByteRival } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
-import * as messages from "../messages";
 import { LEAST_BYTES, MOST_BYTES } from "../numbers";
 import { BYTE_METHODS, compareBytes } from "../words";
 import { awaited } from "../work/progress";
 import { source } from "../work/source";
 import { byteRivals, shownWithin, type WithinDone, withinDone } from "../work/within";
 import { Bars, Fact, Table } from "./facts";
+import * as messages from "./messages";
 
 const USUAL = [50, 150, 500] as const;
 

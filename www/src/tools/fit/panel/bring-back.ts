@@ -1,6 +1,6 @@
 /** What the panel adds to the words of a mask, in the names of its own controls. */
 import type { TraceWarning } from "#workers/fit/trace-types";
-import * as messages from "../messages";
+import * as messages from "./messages";
 
 /**
  * What has to be done first where a stroke is to bring back what surrounds the picture, as the warning itself tells: a

@@ -4,8 +4,8 @@ import { percent } from "#format/nearness";
 import { fixed } from "#format/numbers";
 import type { FitFigures } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
-import * as messages from "../messages";
 import { signed } from "../words";
+import * as messages from "./messages";
 
 export function Fact({ name, children }: { name: string; children: string | number }) {
   return (

@@ -1,4 +1,4 @@
-import * as messages from "../messages";
+import * as messages from "./messages";
 
 /** What can be chosen, dropped or pasted: for the file dialog, and in words. */
 export const ACCEPT =

@@ -7,7 +7,7 @@ import { Button } from "#ui/controls/Button";
 import type { BoxCount3, MapRow3, Place3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { spaceTask } from "#workers/space/client";
-import * as messages from "../messages";
+import * as messages from "./messages";
 import { facts, moved, rested } from "./now";
 import css from "./shape.module.css";
 

@@ -3,10 +3,10 @@ import { space, timeline } from "#document/space/space";
 import { Menu } from "#ui/overlay/Menu";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Repeat } from "#wasm/api";
-import * as messages from "../messages";
 import { jumpsBack, withLoop } from "./changes";
 import { pauseSpace } from "./clock";
 import { attempt } from "./keys/keys";
+import * as messages from "./messages";
 import { LOOPS, loopOf } from "./words";
 
 const lineNow = () => timeline.value ?? space.value?.timeline ?? EMPTY_LINE;

@@ -2,9 +2,9 @@ import { changeTimeline } from "#document/space/edits";
 import { timeline } from "#document/space/space";
 import { openFilm } from "#film/open";
 import { Menu } from "#ui/overlay/Menu";
-import * as messages from "../messages";
 import { fly } from "./flight/fly";
 import { attempt, removeAllKeys, stretch } from "./keys/keys";
+import * as messages from "./messages";
 import { openAnimation } from "./saved/open";
 import css from "./time.module.css";
 

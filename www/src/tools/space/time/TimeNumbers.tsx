@@ -2,10 +2,10 @@ import { endGesture } from "#document/scene";
 import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { moment, space, timeline } from "#document/space/space";
 import { NumberField, type NumberFieldProps } from "#ui/controls/NumberField";
-import * as messages from "../messages";
 import { LONGEST, SHORTEST, secondsProblem, withSeconds } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { attempt } from "./keys/keys";
+import * as messages from "./messages";
 import css from "./time.module.css";
 
 /** Where there is no room at a field, what takes the words about what was wrong. */

@@ -3,7 +3,7 @@
 import { SAME_KEY_S } from "#document/space/edits";
 import { formatNumber } from "#format/numbers";
 import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#wasm/api";
-import * as messages from "../messages";
+import * as messages from "./messages";
 
 export const MOST_KEYS = 100;
 export const SHORTEST = 0.1;

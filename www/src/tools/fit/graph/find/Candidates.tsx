@@ -1,9 +1,9 @@
 import { signal } from "@preact/signals";
 import { Button } from "#ui/controls/Button";
 import type { HoughCluster } from "#workers/fit/hough";
-import * as messages from "../../messages";
 import { DomainFields } from "../DomainFields";
 import graphCss from "../graph.module.css";
+import * as messages from "../messages";
 import { aboutOf, countWords, errorWords, mapWords, nameOf } from "../model/words";
 import { choose, chosen, found, isPicked, mapOf, picks, search, setDomain, togglePick } from "./search";
 

@@ -1,8 +1,8 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import type { HoughCluster } from "#workers/fit/hough";
-import * as messages from "../../messages";
 import graphCss from "../graph.module.css";
+import * as messages from "../messages";
 import { errorWords, mapWords, nameOf } from "../model/words";
 import { choose, chosen, current, found, isPicked, live, search, togglePick } from "./search";
 

@@ -5,8 +5,8 @@ import { Select } from "#ui/controls/Select";
 import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
 import { FileButton } from "#ui/files/FileButton";
-import * as messages from "../../messages";
 import graphCss from "../graph.module.css";
+import * as messages from "../messages";
 import { EXAMPLES } from "../model/examples";
 import {
   COUNTS,

@@ -11,7 +11,7 @@ import type {
   HoughOptions,
 } from "#workers/fit/hough";
 import { isStopped } from "#workers/lanes/latest";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 import { take } from "../model/document";
 import { short } from "../model/model";
 import { type Series, series, takeFeatures } from "../model/series";

@@ -4,9 +4,9 @@ import { changeFit, fitDocument } from "#document/fit";
 import { announce, notify, wordsOf } from "#document/notice";
 import type { Graph } from "#wasm/api";
 import { rough } from "#wasm/curve";
-import * as messages from "../../messages";
 import { fromGraph } from "../../plane/model/curve";
 import { toWord } from "../../plane/model/word";
+import * as messages from "../messages";
 import { asKind, evaluator, type Kind, type Model, modelOf, request, short } from "./model";
 
 /** Where nothing was made yet: Figure 1 of the paper. */

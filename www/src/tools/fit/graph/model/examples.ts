@@ -1,6 +1,6 @@
 /** Graphs of our own making to try the search on. */
 import type { Graph } from "#wasm/api";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 import { TABLE_1 } from "../printed";
 import { evaluator } from "./model";
 

@@ -1,7 +1,7 @@
 /** Reads a series of a file, in the worker that reads files. */
 import { fitTask } from "#workers/fit/client";
 import type { OpenedSeries } from "#workers/fit/trace-types";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 
 /** Throws what says what to try. */
 export async function readSeries(file: File): Promise<OpenedSeries> {

@@ -6,7 +6,7 @@ import { fitTask } from "#workers/fit/client";
 import type { FeatureSets } from "#workers/fit/hough";
 import type { OpenedSeries } from "#workers/fit/trace-types";
 import { isStopped } from "#workers/lanes/latest";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 import { isFirst } from "./document";
 import { EXAMPLES, type Example } from "./examples";
 import { readSeries } from "./read";

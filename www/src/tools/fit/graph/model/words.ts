@@ -3,7 +3,7 @@
 import { formatNumber } from "#format/numbers";
 import { significant } from "#format/significant";
 import type { Assembled, HoughCluster, HoughClusters } from "#workers/fit/hough";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 import type { Kind } from "./model";
 
 export const KINDS: readonly { value: Kind; label: string; about: string }[] = [

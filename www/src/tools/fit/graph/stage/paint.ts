@@ -1,6 +1,6 @@
 /** The graph and what lies under and over it, on a canvas. */
 import type { Graph } from "#wasm/api";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 import { rangeOf } from "../model/model";
 import { type Frame, leftOf, startIn, ticks, tickText, topOf } from "./frame";
 

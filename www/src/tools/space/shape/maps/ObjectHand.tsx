@@ -8,7 +8,7 @@ import { MatrixFields } from "#ui/hand/MatrixFields";
 import { ParameterTable } from "#ui/hand/ParameterTable";
 import type { MapRow3 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 import { facts, factsOf, made, moved, parameters } from "../now";
 import { TwelveFields } from "./TwelveFields";
 

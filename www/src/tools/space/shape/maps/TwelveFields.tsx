@@ -2,7 +2,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { useProblems } from "#ui/controls/problems";
 import equationsCss from "#ui/shapes/equations.module.css";
 import type { MapRow3 } from "#wasm/api";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 
 interface TwelveFieldsProps {
   map: MapRow3;

@@ -9,7 +9,7 @@ import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid, type ShapeItem } from "#ui/shapes/ShapeGrid";
 import type { SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 import { object } from "../now";
 import shapeCss from "../shape.module.css";
 import { presets } from "./presets";

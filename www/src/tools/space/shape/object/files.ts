@@ -4,7 +4,7 @@ import { space } from "#document/space/space";
 import { download, plainName } from "#ui/files/download";
 import type { MapRow3 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 import { object, parameters } from "../now";
 import { take } from "./take";
 

@@ -6,8 +6,8 @@ import { changeSpace, type Look, reshapeSpace, startWith } from "#document/space
 import { choose, chosen, setView, space, spaceFrame } from "#document/space/space";
 import type { SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";
-import * as messages from "../../messages";
 import { around, beside, MOST_OBJECTS, withObject, withShape } from "../changes";
+import * as messages from "../messages";
 import { factsOf } from "../now";
 
 /** Alone, with neither morph nor time line; in place of the chosen object; or beside what there is. */

@@ -6,7 +6,7 @@ import { Problem } from "#ui/panel/Problem";
 import { FlattenedMaps } from "#ui/shapes/FlattenedMaps";
 import type { EpsilonProjection, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 
 const MAPS_SHOWN = 3;
 

@@ -8,7 +8,7 @@ import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import type { MapRow, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 import { object, rested } from "../now";
 import shapeCss from "../shape.module.css";
 import { Epsilon } from "./Epsilon";

@@ -7,7 +7,7 @@ import { notify, wordsOf } from "#document/notice";
 import { openTool } from "#document/tool";
 import { inBox } from "#geometry/mesh";
 import type { MapRow, Scene, Shape, Tool } from "#wasm/api";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 
 /** Without the dust of a turn: what is nothing is 0, and a half is a half. */
 export function tidy(maps: readonly MapRow[]): MapRow[] {

@@ -4,9 +4,9 @@ import { changeTimeline } from "#document/space/edits";
 import { spaceFrame, spaceView, timeline } from "#document/space/space";
 import type { Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import * as messages from "../../messages";
 import { pauseSpace, presentSpace } from "../clock";
 import { attempt } from "../keys/keys";
+import * as messages from "../messages";
 import { secondsWords } from "../words";
 import { aroundOf, type Ball, throughOf, withFlight } from "./flight";
 

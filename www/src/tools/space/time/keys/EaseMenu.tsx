@@ -1,8 +1,8 @@
 import { changeTimeline } from "#document/space/edits";
 import { Menu } from "#ui/overlay/Menu";
 import type { SpaceKey } from "#wasm/api";
-import * as messages from "../../messages";
 import { withEase } from "../changes";
+import * as messages from "../messages";
 import { EASES, easeWords } from "../words";
 import { attempt } from "./keys";
 

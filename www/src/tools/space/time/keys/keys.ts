@@ -2,9 +2,9 @@
 import { announce, notify, wordsOf } from "#document/notice";
 import { addKey, changeTimeline, EMPTY_LINE, endTimeline } from "#document/space/edits";
 import { moment, space, timeline } from "#document/space/space";
-import * as messages from "../../messages";
 import { keyAt, MOST_KEYS, momentIn, nextKey, stretched, withoutKey } from "../changes";
 import { pauseSpace, scrubSpace } from "../clock";
+import * as messages from "../messages";
 import { keyWords, secondsWords } from "../words";
 
 /** Does something to the document, or says why it could not be done. Whether it was. */

@@ -3,8 +3,8 @@ import { edit } from "#document/scene";
 import type { Space } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { Frames } from "#workers/space/frames";
-import * as messages from "../../messages";
 import { pauseSpace } from "../clock";
+import * as messages from "../messages";
 import { type Kept, MOST_BYTES, readSaved, type SavedFrames } from "./saved";
 import { keysOf, madeOf } from "./saved-frames";
 

@@ -2,8 +2,8 @@
 
 import type { MapRow3, Repeat, Space, SpaceFrame, SpaceKey, SpaceView } from "#wasm/api";
 import { type FrameRecord, frameRecord } from "#workers/space/frames";
-import * as messages from "../../messages";
 import { MOST_KEYS, SHORTEST } from "../changes";
+import * as messages from "../messages";
 import { viewIn } from "./saved-view";
 
 /** The parameters of every frame, as a file has them. */

@@ -1,6 +1,6 @@
 /** An animation as a file that Frond reads again: shapes and keys, or every frame. */
 import type { Space, SpaceView } from "#wasm/api";
-import * as messages from "../../messages";
+import * as messages from "../messages";
 import { type FramesRead, readFrames } from "./saved-frames";
 import { viewIn } from "./saved-view";
 

@@ -14,14 +14,14 @@ import { QrCode } from "#ui/overlay/QrCode";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Scene } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { link } from "./actions";
-import { moving } from "./moving";
-import { AUTOPLAY, type Moves, themeOf } from "./publish/folder";
-import * as messages from "./publish/messages";
-import { Publish } from "./publish/Publish";
-import { seenOf } from "./publish/seen";
+import { link } from "../actions";
+import { moving } from "../moving";
+import { openedTool } from "../tools";
+import { AUTOPLAY, type Moves, themeOf } from "./folder";
+import * as messages from "./messages";
+import { Publish } from "./Publish";
+import { seenOf } from "./seen";
 import css from "./share.module.css";
-import { openedTool } from "./tools";
 
 const STARTS = [
   { value: "here", label: messages.thisMoment },
