@@ -79,18 +79,18 @@ test("maps are changed by hand, by numbers and by keys, and their number, too", 
     const undo = page.getByRole("button", { name: "Undo", exact: true });
     await page.locator("body").press("Shift+E");
     const table = page.getByRole("region", { name: "Parameters", exact: true });
-    await expect(table).toContainText("All as taken");
+    await expect(table).toContainText("All as before");
     await page.getByRole("button", { name: /^The full shape, only turns it/ }).press("ArrowLeft");
     await page.getByRole("spinbutton", { name: "Angle" }).fill("85");
     await page.getByRole("spinbutton", { name: "Angle" }).press("Enter");
     await expect(table).toContainText(
-      /numbers are not as taken.*2,000 points: apart by less than .*, which is rounding/,
+      /numbers are not as before.*2,000 points: apart by less than .*, which is rounding/,
     );
     expect((await studio.scene()).a.maps).not.toEqual(before);
     await undo.click();
     await undo.click();
     expect((await studio.scene()).a.maps).toEqual(before);
-    await expect(table).toContainText("All as taken");
+    await expect(table).toContainText("All as before");
     await page.getByRole("radio", { name: "Map by map" }).check();
   });
   await test.step("maps are added, copied, mirrored, taken away, and reset", async () => {
