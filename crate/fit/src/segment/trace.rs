@@ -102,8 +102,8 @@ impl Tracer {
         Ok(Traced { points, notices })
     }
 
-    /// How far inside a pixel is, -1 to 1: its tone, and what comes of each, first where it is off, then where it is on.
-    /// With no tones nothing stands out.
+    /// How far inside a pixel is, -1 to 1: its tone, and what comes of each, first where it is off, then where it is
+    /// on. With no tones nothing stands out.
     #[inline(never)]
     fn depths<'a>(&'a self, mask: &'a Mask) -> (Option<&'a [u8]>, [[f32; 256]; 2]) {
         let of = |soft: &dyn Fn(u8) -> f32| {
