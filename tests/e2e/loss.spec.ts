@@ -6,7 +6,9 @@ test("a lost device costs nothing but a notice", { tag: "@webgpu" }, async ({ st
   await studio.open("a=dragon-3&b=gasket&path=straight&t=0.7");
   const before = await studio.look();
   await page.evaluate(() => window.frond?.forceLoss());
-  await expect.poll(() => studio.said()).toEqual([expect.stringContaining("The graphics card stopped responding")]);
+  await expect
+    .poll(() => studio.said())
+    .toEqual([expect.stringContaining("The graphics card stopped responding")]);
   expect(await studio.look()).toEqual(before);
   expect(await page.evaluate(() => window.frond?.backend())).toBe(info.project.name);
   await expect(studio.alerts).toHaveCount(0);
@@ -32,7 +34,9 @@ test("a device that is lost again and again is given up, and the picture stays",
   await expect.poll(() => page.evaluate(() => window.frond?.backend())).toBe("canvas");
   const after = await studio.look();
   expect(Math.abs(after.lit - before.lit)).toBeLessThan(0.005 * before.lit);
-  expect(await page.getByRole("status").filter({ hasText: "stopped responding" }).count()).toBeLessThanOrEqual(1);
+  expect(
+    await page.getByRole("status").filter({ hasText: "stopped responding" }).count(),
+  ).toBeLessThanOrEqual(1);
 });
 
 test("without any graphics device there is a picture too", async ({ studio, page }) => {

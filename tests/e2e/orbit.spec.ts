@@ -6,7 +6,8 @@ import { expect, test } from "./fixture";
 const panel = (page: Page) => page.getByRole("region", { name: "Follow a point" });
 const address = (page: Page) => page.getByTestId("orbit-address");
 const words = (page: Page) => page.getByTestId("orbit-words");
-const field = (page: Page, name: "x" | "y") => page.getByRole("spinbutton", { name: `Selected point ${name}` });
+const field = (page: Page, name: "x" | "y") =>
+  page.getByRole("spinbutton", { name: `Selected point ${name}` });
 
 async function type(page: Page, name: "x" | "y", value: string): Promise<void> {
   await field(page, name).fill(value);

@@ -9,12 +9,12 @@ import { download, plainName } from "#ui/files/download";
 import { Dialog } from "#ui/overlay/Dialog";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { filmTask } from "#workers/film/client";
-import shareCss from "./share.module.css";
 import { openedTool } from "../tools";
 import type { Moves } from "./folder";
 import { type FilmChoice, makeFolder, mp4Settings } from "./make";
 import * as messages from "./messages";
 import css from "./publish.module.css";
+import shareCss from "./share.module.css";
 
 interface PublishProps {
   /** The link that is published. */

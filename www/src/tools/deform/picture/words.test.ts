@@ -13,7 +13,9 @@ function png(width: number, height: number): Uint8Array {
 }
 
 test("a picture of 100 megapixels is refused with the limit, one of 64 is not", () => {
-  expect(refusal("a.png", png(10_000, 10_000))).toMatch(/10,000 × 10,000 .* 100 megapixels\. The limit is 64 /);
+  expect(refusal("a.png", png(10_000, 10_000))).toMatch(
+    /10,000 × 10,000 .* 100 megapixels\. The limit is 64 /,
+  );
   expect(refusal("a.png", png(8000, 8000))).toBeNull();
   expect(refusal("a.png", png(8000, 8001))).not.toBeNull();
   expect(refusal("a.png", png(0xffffffff, 0xffffffff))).toMatch(/megapixels/);
