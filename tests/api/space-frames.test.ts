@@ -108,7 +108,7 @@ describe("every frame of an animation, as a file", () => {
     const swollen = JSON.parse(text) as { frames: { objects: { maps: number[][] }[] }[] };
     for (const frame of swollen.frames) for (const row of frame.objects[0]?.maps ?? []) row[0] = 2;
     for (const [bad, words] of [
-      ["{", "no JSON file"],
+      ["{", "not a JSON file"],
       [JSON.stringify(damaged), "Frame 4"],
       [JSON.stringify(swollen), "cannot be drawn"],
       ['{"frond":"space","packed":"o:nothing","at":0}', "damaged"],
