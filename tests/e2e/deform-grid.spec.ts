@@ -177,7 +177,7 @@ test("what is chosen is moved by numbers", async ({ studio, page }) => {
   expect(await grid.moved(3, 2)).toEqual([0.125, 0]);
   await right.fill("1e300");
   await right.press("Enter");
-  await expect(page.getByText(/^At most /)).toBeVisible();
+  await expect(page.getByText(/^Enter at most /)).toBeVisible();
   expect(await grid.moved(3, 2)).toEqual([0.125, 0]);
   await right.press("Escape");
   await page.getByRole("button", { name: "Undo", exact: true }).click();

@@ -166,7 +166,7 @@ test("a flight through the natural scene is keyed, exported as a film that plays
   await after.press("Enter");
   await page.getByRole("menuitem", { name: "None", exact: true }).press("End");
   await page.keyboard.press("Enter");
-  await expect(after).toHaveAccessibleName("Loop: to and fro");
+  await expect(after).toHaveAccessibleName("Loop: back and forth");
   expect(await packed(studio)).toContain("/time:12,2,");
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await expect(page.getByRole("button", { name: "Pause", exact: true })).toBeVisible();
