@@ -89,7 +89,7 @@ test("a morph can be led across by keys", async ({ page }) => {
   const question = page.getByRole("region", { name: "What do you think?" });
   const turn = question.getByRole("slider", { name: /^Waypoint u/ });
   for (let i = 0; i < 10; i++) await turn.press("ArrowLeft");
-  await expect(page.getByText("No gap seen, checked to 1/600 of its size")).toBeVisible();
+  await expect(page.getByText(/^No gap seen/).first()).toBeVisible();
 });
 
 test("the set M is shown, with its landmarks", async ({ page }) => {

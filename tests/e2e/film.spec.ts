@@ -257,7 +257,7 @@ test("a bend is filmed once round; where nothing moves the way to it is offered"
   await dialog.getByRole("button", { name: "Use the motion Sway" }).click();
   await page.getByRole("button", { name: "Pause", exact: true }).click();
   await open();
-  const small = { Width: "96", Height: "64", "Frames per second": "10", to: "1" };
+  const small = { Width: "96", Height: "64", "Frames per second": "10", To: "1" };
   const frames = await framesOf(page, await film(page, "GIF", small), "image/gif");
   expect(frames).toHaveLength(10);
   expect(new Set(frames.map(({ hash }) => hash)).size).toBeGreaterThan(7);

@@ -179,7 +179,7 @@ test("a flight through the natural scene is keyed, exported as a film that plays
     ["Width", "160"],
     ["Height", "90"],
     ["Frames per second", "10"],
-    ["to", "1"],
+    ["To", "1"],
   ] as const) {
     const field = dialog.getByRole("spinbutton", { name, exact: true });
     await field.fill(value);
