@@ -118,7 +118,7 @@ test("the two maps of Table 1 are found, picked by key, and put together; a link
   await page.keyboard.press("Enter");
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Enter");
-  await page.getByRole("button", { name: "Assemble 2 picks" }).click();
+  await page.getByRole("button", { name: "Assemble 2 selected maps" }).click();
   await expect(page.locator("[data-part=assembled]")).toContainText("FIF of 2 pieces");
   await page.getByRole("button", { name: "Assemble", exact: true }).click();
   await expect(page.locator("[data-part=assembled]")).toContainText("FIF of 2 pieces");
@@ -165,7 +165,7 @@ test("the seven maps of Table 3 come to eleven pieces from point to point", asyn
   await search(page, "hidden");
   await page.getByRole("button", { name: "Select those of Table 3 (7 of 7 found)" }).click();
   await page.getByRole("switch", { name: "Close gaps between pieces" }).uncheck({ force: true });
-  await page.getByRole("button", { name: "Assemble 7 picks" }).click();
+  await page.getByRole("button", { name: "Assemble 7 selected maps" }).click();
   await expect(page.locator("[data-part=assembled]")).toContainText("PFIF of 7 pieces");
   await page.getByRole("radio", { name: "A stretch" }).check({ force: true });
   const now = await graph(studio);

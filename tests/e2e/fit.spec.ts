@@ -270,7 +270,7 @@ test("a fit can be stopped, and the best so far is kept", async ({ page }) => {
   await tool.few(1200);
   await expect(tool.status).toHaveText(/^Fitting, \d+% done/);
   await page.getByRole("button", { name: "Cancel" }).click();
-  await expect(tool.status).toHaveText(/^Stopped: \d.* off, \d+ numbers$/);
+  await expect(tool.status).toHaveText(/^Stopped: \d.* error, \d+ numbers$/);
   await expect(tool.figures).toContainText(/Error \(RMS\)\d.*%/);
   expect((await tool.scene()).fit?.curve?.curve.knots.length).toBeGreaterThan(100);
   await tool.few(12);
