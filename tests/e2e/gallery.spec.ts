@@ -139,6 +139,6 @@ test("a shape is found by its name, the focus comes back to its card, and the ba
   await studio.idle();
   await page.locator("body").press("d");
   await expect(
-    page.getByRole("status").filter({ hasText: "Lévy curve: 2 copies, each 0.707 as large" }),
+    page.getByRole("status").filter({ hasText: "Lévy curve: 2 copies, each 0.707 times as large" }),
   ).toContainText("its own mirror image across a vertical line");
 });
