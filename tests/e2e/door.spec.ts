@@ -112,7 +112,9 @@ test("a system of space opens there, and what is none is refused with its line",
   await expect.poll(async () => (await studio.said()).join()).toContain('Line 2: "zero" is no number.');
   expect((await studio.scene()).a.preset).toBe("gasket");
   await arrive(page, "drop", "sponge.txt", SPONGE);
-  await expect.poll(async () => (await studio.said()).join()).toContain("sponge replaces the scene, with 2 maps");
+  await expect
+    .poll(async () => (await studio.said()).join())
+    .toContain("sponge replaces the scene, with 2 maps");
   expect((await studio.scene()).tool).toBe("space");
 });
 
