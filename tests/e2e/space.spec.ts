@@ -153,7 +153,7 @@ test("a flight through the natural scene is keyed, exported as a film that plays
   await studio.open(TETRAHEDRON);
   await choose(page, "A natural scene");
   await page.getByRole("button", { name: "Fly through" }).first().click();
-  const keys = page.getByRole("button", { name: /^Key \d of \d/ });
+  const keys = page.getByRole("button", { name: /^Keyframe \d of \d/ });
   await expect.poll(() => keys.count()).toBeGreaterThanOrEqual(3);
   await studio.time.focus();
   await page.keyboard.press("End");
