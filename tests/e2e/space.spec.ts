@@ -222,7 +222,7 @@ test("no object of several leaves unasked, and the background goes with the link
 }) => {
   await studio.open(TETRAHEDRON);
   await choose(page, "A natural scene");
-  const objects = page.getByRole("radiogroup", { name: "Selected object" }).getByRole("radio");
+  const objects = page.getByRole("radiogroup", { name: "Selected object", exact: true }).getByRole("radio");
   await expect(objects).toHaveCount(13);
   // By keys alone.
   const card = page.getByRole("button", { name: "Meadow. Choose another shape" });
