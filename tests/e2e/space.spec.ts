@@ -348,7 +348,7 @@ test("a lost device is replaced, and the picture is the same", { tag: "@webgpu" 
   await complete(page);
   const before = (await studio.look()).hash;
   await page.evaluate(() => window.frond?.forceLoss());
-  await expect.poll(async () => (await studio.said()).join()).toContain("was lost");
+  await expect.poll(async () => (await studio.said()).join()).toContain("stopped responding");
   await complete(page);
   expect((await studio.look()).hash).toBe(before);
 });
