@@ -75,6 +75,25 @@ describe("a fractal deformation", () => {
     expect(moved).not.toEqual(first);
   });
 
+  it("bends a density as it bends the colours of pieces", () => {
+    const size = { width: 90, height: 60, view: { x: 0.5, y: 0.5, scale: 30 } };
+    const lit = (options: frond.RasterOptions) => {
+      const pixels = frond.rasterize(gasket, { ...size, ...options });
+      return Array.from({ length: 90 * 60 }, (_, i) => (pixels[4 * i + 3] ?? 0) > 0);
+    };
+    const moved = bend(0.4, -0.3);
+    for (const draft of [false, true]) {
+      const [coloured, dense] = [
+        lit({ bend: moved, draft }),
+        lit({ bend: moved, draft, colouring: "density" }),
+      ];
+      // A draft shares masses with the pixels beside them.
+      const near = dense.filter((on, i) => on && [0, 1, -1, 90, -90].some((by) => coloured[i + by])).length;
+      expect(near / dense.filter(Boolean).length).toBeGreaterThan(0.97);
+      expect(dense).not.toEqual(lit({ draft, colouring: "density" }));
+    }
+  });
+
   it("tells what came of it", () => {
     const facts = frond.bendFacts(gasket, bend(0.3, 0.4));
     expect(facts).toMatchObject({ continuity: "corners", ke: 6 });

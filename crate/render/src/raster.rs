@@ -1,6 +1,6 @@
 //! Pictures made on the CPU.
 
-use frond_core::{Colouring, Hull, Ifs};
+use frond_core::{Affine2, Colouring, Hull, Ifs};
 use frond_deform::Bend;
 use thiserror::Error;
 
@@ -121,7 +121,7 @@ pub fn rasterize_bent(ifs: &Ifs, bend: &Bend, options: &RasterOptions<'_>) -> Re
     if options.colouring == Colouring::Density {
         let bent = bent(place, (ground.window, 1.0));
         let density = Density::bent(&bent, BENT_DENSITY.0, BENT_DENSITY.1, BENT_DENSITY.2);
-        Ok(ground.picture_of_density(density, options))
+        Ok(ground.picture_of_density(density, None, options))
     } else {
         let (fine, scale) = ground.fine(options);
         let bent = bent(place, (fine, scale));
@@ -159,7 +159,8 @@ pub fn rasterize_unbent(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8
 pub fn rasterize_density(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, RenderError> {
     let Some(mut ground) = Ground::new(ifs, options)? else { return Ok(Vec::new()) };
     let density = Density::new(&ground.frame, ground.view, ground.window, 128, 512);
-    Ok(ground.picture_of_density(density, options))
+    let to_screen = ground.view.onto_screen(ground.frame.to_world, ground.window);
+    Ok(ground.picture_of_density(density, Some(to_screen), options))
 }
 
 /// An attractor at rest in the colours of its pieces: without what draws densities.
@@ -225,10 +226,15 @@ impl Ground {
         picture_of_codes(&self.colours, codes, self.window)
     }
 
-    fn picture_of_density(&mut self, density: Density, options: &RasterOptions<'_>) -> Vec<u8> {
+    /// With the map to the screen, where nothing is bent.
+    fn picture_of_density(
+        &mut self,
+        density: Density,
+        at_rest: Option<Affine2>,
+        options: &RasterOptions<'_>,
+    ) -> Vec<u8> {
         self.colours.slope = density.tone.slope;
         self.colours.towards = if options.is_light() { 0.0 } else { 1.0 };
-        let at_rest = options.bend.is_none().then(|| self.view.onto_screen(self.frame.to_world, self.window));
         let place = (self.window, if options.draft { DENSITY_SPACING.0 } else { DENSITY_SPACING.1 });
         let mut sums = vec![[0.0; 4]; self.window.area()];
         let gain = if density.carry(&self.frame, at_rest, &self.colours, place, &mut sums) {
@@ -278,7 +284,7 @@ fn throw(
 mod tests {
     use std::collections::HashSet;
 
-    use frond_core::{Affine2, adaptive_cut};
+    use frond_core::adaptive_cut;
     use glam::DVec2;
 
     use super::*;

@@ -85,7 +85,7 @@ impl Splats {
             }
             let Some(extent) = self.window.extent_once(&map) else { continue };
             if letters.count() > 0 {
-                if self.all_lit(extent.pixels) {
+                if all_lit(&self.codes, self.window, extent.pixels) {
                     continue;
                 }
                 let size = 2.0 * map.norm();
@@ -119,16 +119,6 @@ impl Splats {
         }
     }
 
-    #[inline(never)]
-    fn all_lit(&self, pixels: PixelBox) -> bool {
-        let width = self.window.width as usize;
-        (pixels.y.0..=pixels.y.1).all(|y| {
-            let row = &self.codes[y as usize * width..][pixels.x.0 as usize..=pixels.x.1 as usize];
-            // All of a row at once, rather than up to the first that is dark: many at a time.
-            row.iter().fold(true, |lit, code| lit & (*code > ShortCode::default()))
-        })
-    }
-
     fn stamp(&mut self, map: &Affine2, letters: Letters, cloud: &Cloud, extent: &Extent) {
         self.points += cloud.points.len() as u64;
         let place = Placement::new(map, self.window, extent);
@@ -141,6 +131,17 @@ impl Splats {
             }
         });
     }
+}
+
+/// Whether all pixels of a box are lit.
+#[inline(never)]
+pub(crate) fn all_lit<C: Code>(codes: &[C], window: Window, pixels: PixelBox) -> bool {
+    let width = window.width as usize;
+    (pixels.y.0..=pixels.y.1).all(|y| {
+        let row = &codes[y as usize * width..][pixels.x.0 as usize..=pixels.x.1 as usize];
+        // All of a row at once, rather than up to the first that is dark: many at a time.
+        row.iter().fold(true, |lit, code| lit & (*code > C::default()))
+    })
 }
 
 /// Lights each dark pixel whose eight neighbours are lit, as the one to its left is. Points leave out about one of

@@ -7,8 +7,9 @@ use glam::Vec2;
 use super::{Bent, BentSweep, Fineness, Placed, Verdict};
 use crate::picture::bitmap::Bitmap;
 use crate::picture::colour::code_of_colour;
-use crate::picture::window::{PixelBox, Window};
+use crate::picture::window::Window;
 use crate::pieces::letters::Letters;
+use crate::splat::all_lit;
 use crate::splat::cloud::{Cloud, Clouds};
 
 /// The largest pieces that points are drawn for, in pixels, and of one colour where the bend carries colours.
@@ -94,8 +95,8 @@ impl Draft {
         (most, last): (u32, bool),
     ) -> bool {
         self.codes.clear();
-        // A row and a pixel more than there are: points outside of the window go there.
-        self.codes.resize(self.window.area() + self.window.width as usize + 1, 0);
+        // One more than there are pixels: points outside of the window go there.
+        self.codes.resize(self.window.area() + 1, 0);
         let most_points = MOST_POINTS.0 * self.window.area() + MOST_POINTS.1;
         let code = |cursor: &Cursor, letters: Letters| {
             if coloured { code_of_colour(bent.tint(cursor)) } else { letters.code() }
@@ -117,7 +118,7 @@ impl Draft {
             }
             let (verdict, extent) = bent.judge(&cursor, depth, 1.0, fineness);
             let Some(extent) = extent else { continue };
-            if self.all_lit(extent.pixels) {
+            if all_lit(&self.codes, self.window, extent.pixels) {
                 continue;
             }
             match verdict {
@@ -135,15 +136,6 @@ impl Draft {
             }
         }
         true
-    }
-
-    fn all_lit(&self, pixels: PixelBox) -> bool {
-        let width = self.window.width as usize;
-        (pixels.y.0..=pixels.y.1).all(|y| {
-            let row = &self.codes[y as usize * width..][pixels.x.0 as usize..=pixels.x.1 as usize];
-            // All of a row at once, rather than up to the first that is dark: many at a time.
-            row.iter().fold(true, |lit, code| lit & (*code > 0))
-        })
     }
 
     /// Lights dark pixels with the points of a piece. Returns how many points there are.

@@ -17,14 +17,12 @@ use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
 use crate::pieces::letters::Letters;
 use crate::pieces::measure::{MassPiece, Sampler};
+use crate::splat::cloud::{COUNT, NEXT};
 
 /// The largest pieces, in pixels.
 const PIECE: f64 = 48.0;
 /// Cells of the grid of the whole, each way: more than twice as many as there are pixels in a piece.
 const SIDE: usize = 192;
-/// Sizes of pieces: those of the next class are smaller by the fourth root of a half.
-const CLASSES: usize = 24;
-const NEXT: f64 = 0.840_896_415_253_714_5;
 /// How many masses may be moved before the measure on the grid is taken as it is; and how many it begins with.
 const MOST_MOVES: usize = 2_000_000;
 const FIRST: usize = 4096;
@@ -45,15 +43,17 @@ struct Mass {
 /// Masses that are placed at once.
 const LANES: usize = 8;
 
-/// Masses as they are placed: the x of some, their y, and how much they are; the last of all weigh nothing.
+/// Masses as they are placed: the x of some, their y, and how much they are. The last of all is repeated, and weighs
+/// nothing then.
 #[derive(Debug)]
 struct Masses(Vec<[[f32; LANES]; 3]>);
 
 impl Masses {
     fn of(masses: &[Mass]) -> Self {
         let lanes = |chunk: &[Mass]| {
-            let of = |get: fn(&Mass) -> f32| std::array::from_fn(|k| chunk.get(k).map_or(0.0, get));
-            [of(|mass| mass.at.x), of(|mass| mass.at.y), of(|mass| mass.mass)]
+            let of = |get: fn(&Mass) -> f32| std::array::from_fn(|k| get(&chunk[k.min(chunk.len() - 1)]));
+            let weights = std::array::from_fn(|k| chunk.get(k).map_or(0.0, |mass| mass.mass));
+            [of(|mass| mass.at.x), of(|mass| mass.at.y), weights]
         };
         Self(masses.chunks(LANES).map(lanes).collect())
     }
@@ -63,7 +63,7 @@ impl Masses {
 #[derive(Debug)]
 pub(crate) struct Carried {
     finest: Vec<Mass>,
-    classes: [Option<Masses>; CLASSES],
+    classes: [Option<Masses>; COUNT],
     /// The distance of masses on the screen, in pixels.
     spacing: f64,
 }
@@ -133,13 +133,13 @@ impl Carried {
             }
             masses = grid.take();
         }
-        Self { finest: masses, classes: [const { None }; CLASSES], spacing }
+        Self { finest: masses, classes: [const { None }; COUNT], spacing }
     }
 
     /// The masses for pieces of a size in pixels.
     fn masses(&mut self, size: f64) -> &Masses {
         // A cast of what is below 0, or no number, gives 0.
-        let class = (((PIECE / size.max(1e-3)).ln() / -NEXT.ln()) as usize).min(CLASSES - 1);
+        let class = (((PIECE / size.max(1e-3)).ln() / -NEXT.ln()) as usize).min(COUNT - 1);
         let (finest, spacing) = (&self.finest, self.spacing);
         self.classes[class].get_or_insert_with(|| {
             let size = PIECE * NEXT.powi(class as i32);
@@ -338,19 +338,22 @@ impl Density {
         sums: &mut [[f32; 4]],
     ) -> bool {
         let mut carried = Carried::of(frame, spacing);
-        let pieces = match to_screen {
-            Some(to_screen) => small_pieces(frame, to_screen, window, &mut carried),
-            None => carried.is_enough(&self.pieces, window).then(|| self.pieces.clone()),
+        let found = to_screen.map(|to_screen| small_pieces(frame, to_screen, window, &mut carried));
+        let pieces = match &found {
+            Some(Some(pieces)) => pieces,
+            None if carried.is_enough(&self.pieces, window) => &self.pieces,
+            _ => return false,
         };
-        let Some(mut pieces) = pieces else { return false };
-        let first = |piece: &MassPiece| Letters::of_code(piece.letters.code()).map_or(0, |[first, ..]| first);
-        pieces.sort_by_key(first);
         let mut plane = Plane::new(window, spacing);
-        for pieces in pieces.chunk_by(|a, b| first(a) == first(b)) {
-            for piece in pieces {
+        // Map by map, since the first letter of a piece alone says its colour.
+        for letter in 0..frame.maps.len() {
+            let code = Letters::NONE.then(letter).code();
+            let first =
+                |piece: &&MassPiece| Letters::of_code(piece.letters.code()).is_some_and(|l| l[0] == letter);
+            for piece in pieces.iter().filter(first) {
                 plane.add(&piece.map, carried.masses(size(piece)), piece.mass as f32 * self.gain);
             }
-            plane.fold(colours.colour(pieces[0].letters.code()), sums);
+            plane.fold(colours.colour(code), sums);
         }
         plane.sharpen(sums);
         true

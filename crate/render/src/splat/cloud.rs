@@ -38,8 +38,8 @@ pub struct Clouds {
 }
 
 /// The number of clouds, and how much smaller the pieces of the next one are: the fourth root of a half.
-const COUNT: usize = 24;
-const NEXT: f64 = 0.840_896_415_253_714_5;
+pub const COUNT: usize = 24;
+pub const NEXT: f64 = 0.840_896_415_253_714_5;
 /// How many times nearer to each other the points are that those of clouds are chosen of.
 const CHOICE: f64 = 2.0;
 
