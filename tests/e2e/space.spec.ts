@@ -292,7 +292,7 @@ test("the tetrahedron becomes a dragon on a path that holds", async ({ studio, p
   await page.getByRole("radio", { name: "Morph", exact: true }).check({ force: true });
   await page.getByRole("button", { name: "Tetrahedron to the dragon in space" }).first().click();
   await expect.poll(() => packed(studio), { timeout: 200_000 }).toContain("/way:auto;");
-  const place = page.getByRole("slider", { name: "Position on the path", exact: true }).first();
+  const place = page.getByRole("slider", { name: "Time along the path", exact: true });
   await place.focus();
   for (let i = 0; i < 3; i++) await page.keyboard.press("PageUp");
   await expect.poll(() => packed(studio)).toMatch(/\/t:0\.\d/);

@@ -260,9 +260,10 @@ export const otherObjectStaysAs = "The other object stays as it is.";
 export const othersStay = (count: number) => `The other ${count} objects stay as they are.`;
 
 export const positionOnPath = "Position on the path";
+export const timeAlongPath = "Time along the path";
 export const pauseMorph = "Pause the morph";
 export const playMorph = "Play the morph";
-export const positionOnPathIn = "Position on the path in percent";
+export const timeAlongPathIn = "Time along the path in percent";
 export const turnsAndStretches = (u: string) => `${u} rotates and stretches,`;
 export const moves = (v: string) => `${v} moves`;
 export const timelineControlsThisWhat =

@@ -30,7 +30,7 @@ export function MomentPanel() {
           onClick={on ? pause : play}
         />
         <Slider
-          label={messages.positionOnPath}
+          label={messages.timeAlongPath}
           value={t}
           step={0.01}
           valueText={`${percent(t)}, ${stateNow()}`}
@@ -43,7 +43,7 @@ export function MomentPanel() {
           <SliderBreaks breaks={check.value?.breaks ?? []} />
         </Slider>
         <PercentField
-          label={messages.positionOnPathIn}
+          label={messages.timeAlongPathIn}
           value={t}
           onChange={(next) => {
             pause();
