@@ -76,7 +76,7 @@ await bent.context().close();
 
 // The leaf that the tool begins with, fitted, and the maps found in a graph.
 const fit = await open("#v=1&a=dragon-3&b=gasket&tool=fit");
-await fit.getByText("Error of as many numbers").waitFor({ timeout: 60_000 });
+await fit.getByText("Other methods with the same amount of data").waitFor({ timeout: 60_000 });
 await fit.screenshot({ path: path("fit") });
 await fit.context().close();
 
