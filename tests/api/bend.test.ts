@@ -77,7 +77,7 @@ describe("a fractal deformation", () => {
 
   it("bends a density as it bends the colours of pieces", () => {
     const size = { width: 90, height: 60, view: { x: 0.5, y: 0.5, scale: 30 } };
-    const lit = (options: frond.RasterOptions) => {
+    const lit = (options: Partial<frond.RasterOptions>) => {
       const pixels = frond.rasterize(gasket, { ...size, ...options });
       return Array.from({ length: 90 * 60 }, (_, i) => (pixels[4 * i + 3] ?? 0) > 0);
     };
