@@ -109,7 +109,7 @@ test("shapes with different numbers of maps morph all the same", async ({ studio
   await studio.open("a=dragon&b=carpet&t=0.5");
   const look = await studio.look();
   expect(look.lit).toBeGreaterThan(1000);
-  await expect(page.locator(".notes p").first()).toHaveText(/\b(doubled|split|refined)\b.*\.$/);
+  await expect(page.locator(".notes p").first()).toHaveText(/^(In shape|Shape) [AB]\b.*\bmaps\b.*\.$/);
   await expect(studio.verdict).toHaveText(/piece|gap seen|Not decided/);
 });
 

@@ -181,21 +181,19 @@ fn between(first: &[Affine2], last: &[Affine2], mode: Mode) -> Result<Morph, Dir
 
 fn steps(matching: &Matching) -> Vec<String> {
     let mut steps = Vec::new();
-    for (which, name) in [(0, "first"), (1, "last")] {
+    for (which, name) in [(0, "A"), (1, "B")] {
         let state = |pair: &(usize, usize)| if which == 0 { pair.0 } else { pair.1 };
         for one in 0..MAX_STATES {
             let times = matching.states.iter().filter(|&pair| state(pair) == one).count();
             if times > 1 {
                 let (one, times) = (one + 1, times);
-                steps.push(format!(
-                    "State {one} of the {name} shape was split into {times} states that are alike."
-                ));
+                steps.push(format!("State {one} of shape {name} is used {times} times."));
             }
         }
         match matching.doubled[which] {
             0 => {}
-            1 => steps.push(format!("1 map of the {name} shape was doubled.")),
-            count => steps.push(format!("{count} maps of the {name} shape were doubled.")),
+            1 => steps.push(format!("One map of shape {name} is used twice.")),
+            count => steps.push(format!("{count} maps of shape {name} are used more than once.")),
         }
     }
     steps

@@ -31,9 +31,9 @@ pub struct Pairing {
 pub fn pair(from: &Ifs, to: &Ifs) -> Pairing {
     let (mut a, mut b, mut steps) = (weighted(from), weighted(to), Vec::new());
     if a.len() < b.len() {
-        a = matched(&extend(&a, b.len(), "first", &mut steps), &b, from, to);
+        a = matched(&extend(&a, b.len(), "A", &mut steps), &b, from, to);
     } else if b.len() < a.len() {
-        b = matched(&extend(&b, a.len(), "last", &mut steps), &a, to, from);
+        b = matched(&extend(&b, a.len(), "B", &mut steps), &a, to, from);
     }
     let ((from, from_probabilities), (to, to_probabilities)) = (a.into_iter().unzip(), b.into_iter().unzip());
     Pairing { from, to, from_probabilities, to_probabilities, steps }
@@ -81,14 +81,15 @@ fn extend(original: &[Weighted], target: usize, which: &str, steps: &mut Vec<Str
         splits += 1;
     }
     if splits > 0 {
-        let piece = if splits == 1 { "A piece".to_owned() } else { format!("{splits} times over, a piece") };
+        let often = if splits == 1 { String::new() } else { format!(" {splits} times") };
         steps.push(format!(
-            "{piece} of the {which} shape was split into its {} parts, so that it has {} maps.",
+            "In shape {which}, a map is replaced by its {} parts{often}, so that it has {} maps.",
             original.len(),
             maps.len()
         ));
     }
-    let missing = target - maps.len();
+    let had = maps.len();
+    let missing = target - had;
     if missing > 0 {
         // Each map at most once more than any other, the largest first.
         let mut order: Vec<usize> = (0..maps.len()).collect();
@@ -102,10 +103,12 @@ fn extend(original: &[Weighted], target: usize, which: &str, steps: &mut Vec<Str
         }
         let doubles: Vec<Weighted> = doubled.iter().map(|&i| maps[i]).collect();
         maps.extend(doubles);
-        let (noun, verb) = if missing == 1 { ("map", "was") } else { ("maps", "were") };
-        steps.push(format!(
-            "{missing} {noun} of the {which} shape {verb} doubled, so that it has {target} maps."
-        ));
+        let used = match missing {
+            1 => "one map is used twice".to_owned(),
+            _ if missing <= had => format!("{missing} maps are used twice"),
+            _ => "maps are used more than once".to_owned(),
+        };
+        steps.push(format!("Shape {which} has {had} maps and needs {target}, so {used}."));
     }
     maps
 }
@@ -264,12 +267,11 @@ mod tests {
         let eight = [0.1; 8].map(|r| Affine2::from_row([r, 0.0, 0.0, r, 0.0, 0.0]));
         let ifs = |maps: &[Affine2]| Ifs::new(maps.to_vec()).unwrap();
         let steps = pair(&ifs(&two), &ifs(&eight)).steps;
-        let wanted =
-            "6 times over, a piece of the first shape was split into its 2 parts, so that it has 8 maps.";
+        let wanted = "In shape A, a map is replaced by its 2 parts 6 times, so that it has 8 maps.";
         assert_eq!(steps, [wanted]);
         let doubled = |count: usize| pair(&ifs(&eight[..8 - count]), &ifs(&eight)).steps;
-        assert_eq!(doubled(1), ["1 map of the first shape was doubled, so that it has 8 maps."]);
-        assert_eq!(doubled(2), ["2 maps of the first shape were doubled, so that it has 8 maps."]);
+        assert_eq!(doubled(1), ["Shape A has 7 maps and needs 8, so one map is used twice."]);
+        assert_eq!(doubled(2), ["Shape A has 6 maps and needs 8, so 2 maps are used twice."]);
     }
 
     #[test]

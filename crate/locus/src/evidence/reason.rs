@@ -102,34 +102,33 @@ impl Reason {
         let count = |kind| self.links.iter().filter(|link| link.kind == kind).count();
         let text = match self.kind {
             ReasonKind::OneMap => "There is one map, and its attractor is one point.".to_owned(),
-            ReasonKind::EqualMaps => "All maps are the same, and so are all pieces.".to_owned(),
+            ReasonKind::EqualMaps => "All maps are equal, so there is only one piece.".to_owned(),
             ReasonKind::CommonPoint => {
-                "All maps leave the same point where it is, and the attractor is this point.".to_owned()
+                "All maps keep the same point fixed, and the attractor is this point.".to_owned()
             }
             ReasonKind::Area if self.links.len() < 2 => {
-                "Two pieces that did not meet would have room between them. These have none: the factors by which their maps \
-                 scale areas have a sum of 1 or more."
+                "Their area factors add up to 1 or more, so the pieces cannot avoid each other."
                     .to_owned()
             }
-            ReasonKind::Area => "Pieces that did not meet would have room between them. Enough of these have none: the \
-                                 factors by which two maps scale areas have a sum of 1 or more."
+            ReasonKind::Area => "Enough pairs of pieces have area factors that add up to 1 or more: such a pair cannot avoid each other, \
+                                 and these pairs join all the pieces."
                 .to_owned(),
             ReasonKind::SharedPoints => match self.links.len() {
-                1 => format!("The pieces share a point: {example} are two addresses of it."),
+                1 => format!("The pieces meet in one point, whose addresses are {example}."),
                 count => format!(
-                    "Pieces share {count} points, and these join all the pieces. {example} are two addresses of one of these points."
+                    "The pieces meet in {count} points, which join all of them. One of these points has the addresses {example}."
                 ),
             },
             ReasonKind::Crossings => {
                 let text = match count(LinkKind::Crossing) {
-                    1 => format!("The pieces {example} lie across each other, so that they must meet."),
+                    1 => format!("The pieces {example} cross each other, so they must meet."),
                     count => format!(
-                        "{count} pairs of pieces lie across each other, so that they must meet. One such pair is {example}."
+                        "{count} pairs of pieces cross each other, so they must meet. One such pair is {example}."
                     ),
                 };
                 match self.links.len() - count(LinkKind::Crossing) {
                     0 => text,
-                    1 => format!("{text} Two others share a point."),
+                    1 => format!("{text} Another pair shares a point."),
                     others => format!("{text} {others} other pairs share points."),
                 }
             }
@@ -141,31 +140,31 @@ impl Reason {
                     count => format!("{count} pairs of pieces overlap there, such as {a} and {b}"),
                 };
                 format!(
-                    "The shape lies on a line, and {pieces}. The widest hole of the shape would lie within a piece, whose \
-                     holes are narrower: so there is none."
+                    "The shape lies on a line, and {pieces}. Its widest hole would have to lie inside a piece, and all \
+                     holes of a piece are narrower. So it has no hole."
                 )
             }
             ReasonKind::Differences => {
-                let text = "The pieces are copies of one shape, turned and shrunk alike. Two such copies meet just if the \
-                            step from one to the other is the difference of two points of such a copy: enough of these \
-                            steps surely are.";
+                let text = "All pieces are equal copies of one shape. Two of them meet exactly when the shift from one to \
+                            the other is the difference of two points of a copy. This is so for enough pairs to join \
+                            all the pieces.";
                 match self.links.len() - count(LinkKind::Difference) {
                     0 => text.to_owned(),
-                    _ => format!("{text} Others share a point."),
+                    _ => format!("{text} Other pairs share a point."),
                 }
             }
             ReasonKind::Neighbours => {
                 let ways = self.neighbours.unwrap_or(0);
                 format!(
-                    "Where pieces meet they lie to each other in one of {ways} ways, and from each of these one gets to \
-                     smaller and smaller pieces that do so again. One of the points that they share has the addresses {example}."
+                    "Two pieces that touch lie in one of {ways} positions to each other, and each of these positions \
+                     leads to smaller pieces that touch again. One shared point has the addresses {example}."
                 )
             }
         };
         match self.assuming.as_slice() {
             [] => text,
-            [one] => format!("If {one}: {text}"),
-            [one, ..] => format!("If numbers mean what they come near ({one}, ..): {text}"),
+            [one] => format!("If {one}, this is a proof. {text}"),
+            [one, ..] => format!("If {one} (and so on), this is a proof. {text}"),
         }
     }
 }

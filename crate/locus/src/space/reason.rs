@@ -83,29 +83,29 @@ impl Reason3 {
     pub fn text(&self) -> String {
         let text = match self.kind {
             Reason3Kind::OneMap => "There is one map, and its attractor is one point.".to_owned(),
-            Reason3Kind::EqualMaps => "All maps are the same, and so are all pieces.".to_owned(),
+            Reason3Kind::EqualMaps => "All maps are equal, so there is only one piece.".to_owned(),
             Reason3Kind::CommonPoint => {
-                "All maps leave the same point where it is, and the attractor is this point.".to_owned()
+                "All maps keep the same point fixed, and the attractor is this point.".to_owned()
             }
             Reason3Kind::Volume => {
-                "Pieces that did not meet would have room between them. Enough of these have none: the \
-                                    factors by which two maps scale volumes have a sum of 1 or more."
+                "Enough pairs of pieces have volume factors that add up to 1 or more: such a pair cannot avoid each \
+                 other, and these pairs join all the pieces."
                     .to_owned()
             }
             Reason3Kind::SharedPoints => {
                 let [a, b] = self.points.first().map(|point| point.words.clone()).unwrap_or_default();
                 match self.points.len() {
-                    1 => format!("The pieces share a point: {a} and {b} are two addresses of it."),
+                    1 => format!("The pieces meet in one point, whose addresses are {a} and {b}."),
                     count => format!(
-                        "Pieces share {count} points, and these join all the pieces. {a} and {b} are two addresses of one of these points."
+                        "The pieces meet in {count} points, which join all of them. One of these points has the addresses {a} and {b}."
                     ),
                 }
             }
         };
         match self.assuming.as_slice() {
             [] => text,
-            [one] => format!("If {one}: {text}"),
-            [one, ..] => format!("If numbers mean what they come near ({one}, ..): {text}"),
+            [one] => format!("If {one}, this is a proof. {text}"),
+            [one, ..] => format!("If {one} (and so on), this is a proof. {text}"),
         }
     }
 }
