@@ -98,7 +98,7 @@ describe("a hostile link", () => {
     text = HOSTILE[what] ?? "";
     link.open();
     expect(scene.peek()).toEqual(frond.defaultScene());
-    expect(said()).toEqual([expect.stringContaining("Frond shows what it begins with instead.")]);
+    expect(said()).toEqual([expect.stringContaining("Frond shows its default shapes instead.")]);
   });
 
   it("does not take the place of a document without a word, either", () => {
@@ -107,7 +107,7 @@ describe("a hostile link", () => {
     text = HOSTILE["a tag"] ?? "";
     link.follow();
     expect(scene.peek()).toMatchObject({ a: { preset: "dragon-3" }, b: { preset: "gasket" } });
-    expect(said()).toEqual([expect.stringContaining("Frond shows what it begins with instead.")]);
+    expect(said()).toEqual([expect.stringContaining("Frond shows its default shapes instead.")]);
   });
 });
 

@@ -34,9 +34,7 @@ test("a curve for one end makes both ends curves, in one step, and a system brin
   await expect
     .poll(() => studio.said())
     .toContainEqual(
-      expect.stringMatching(
-        /^Gasket was put away: an outline morphs only with an outline\. B is Oak.* for now\.$/,
-      ),
+      expect.stringMatching(/^Outlines morph only into outlines, so B is now Oak.* instead of Gasket\.$/),
     );
   await expect(studio.verdict).toHaveText("One closed curveby construction");
   const maple = await studio.look();
@@ -70,9 +68,7 @@ test("a curve for one end makes both ends curves, in one step, and a system brin
   await expect
     .poll(() => studio.said())
     .toContainEqual(
-      expect.stringMatching(
-        /^Maple.* was put away: an outline morphs only with an outline\. A is Gasket for now\.$/,
-      ),
+      expect.stringMatching(/^Outlines morph only into outlines, so A is now Gasket instead of Maple.*\.$/),
     );
   await expect(card(page, "B")).toHaveAccessibleName(/^Shape B: Gasket, 3 copies/);
   expect((await studio.scene()).curves).toBeUndefined();

@@ -239,7 +239,7 @@ test.describe("without what bends", () => {
     await studio.open("v=1&a=gasket&b=gasket&path=straight&mesh=4x4:0,0,1,1&bend=0,9,0.75&keys=0:6,0.3,0.2");
     await expect
       .poll(() => studio.said())
-      .toContainEqual(expect.stringMatching(/^What bends shapes could not be loaded/));
+      .toContainEqual(expect.stringMatching(/^The code for deformations could not be loaded/));
     // All else goes on.
     await expect(studio.verdict).toBeVisible();
   });

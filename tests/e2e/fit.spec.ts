@@ -153,7 +153,7 @@ test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and 
     expect(curves?.a.curve.knots.length).toBe(fitted?.curve.knots.length);
     // The shape at the other end had to go, which is said.
     const notice = page.locator(".toasts").getByRole("status");
-    await expect(notice).toContainText("Gasket was put away: an outline morphs only with an outline.");
+    await expect(notice).toContainText("Outlines morph only into outlines");
     await notice.getByRole("button", { name: "Undo" }).click();
     expect((await tool.scene()).curves).toBeUndefined();
   });

@@ -3,6 +3,7 @@ import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import { arrived, placeOf, withCheck } from "#format/link-mending";
 import type { FrondError, Scene } from "#wasm/api";
 import { phasePlaying } from "./deform/bend";
+import * as messages from "./messages";
 import { notify, wordsOf } from "./notice";
 import { playing, spacePlaying } from "./playback";
 import { edit, inGesture, scene, start } from "./scene";
@@ -140,7 +141,7 @@ export class Link {
       this.#kept = now;
       return true;
     } catch (problem) {
-      notify({ kind: "error", text: `The address no longer holds what you see. ${wordsOf(problem)}` });
+      notify({ kind: "error", text: messages.addressIsBehind(wordsOf(problem)) });
       return false;
     }
   }
@@ -150,16 +151,13 @@ export class Link {
     const { text: link, cutAfter } = arrived(text);
     const { scene: opened, problem } = this.#codec.decodeScene(link);
     const said = [];
-    if (cutAfter !== null) said.push(`This link seems to be cut off after “${cutAfter}”. Ask for it again.`);
+    if (cutAfter !== null) said.push(messages.linkCutOff(cutAfter));
     if (problem) said.push(problem.message);
     if (said.length > 0) {
       // Of a link of a later version, or of a part of one, it shows what it can.
-      const shown =
-        problem && problem.code !== "link-later" ? "what it begins with instead" : "what is left of it";
-      notify({
-        kind: "error",
-        text: problem?.code === "link-later" ? said.join(" ") : `${said.join(" ")} Frond shows ${shown}.`,
-      });
+      const words = said.join(" ");
+      const text = problem ? messages.showsDefault(words) : messages.showsRest(words);
+      notify({ kind: "error", text: problem?.code === "link-later" ? words : text });
     }
     return opened;
   }

@@ -39,6 +39,6 @@ it("says what to do where a script of the page is not there any more", () => {
     "wasm validation error: at offset 4: failed to match magic number",
     "WebAssembly.Module doesn't parse at byte 0: module doesn't start with '\\0asm'",
   ])
-    expect(wordsOf(new TypeError(said)), said).toContain("load the page again");
+    expect(wordsOf(new TypeError(said)), said).toContain("Reload the page");
   expect(wordsOf(new Error("The file is empty."))).toBe("The file is empty.");
 });

@@ -1,5 +1,6 @@
 /** What the page has to say, on screen and to screen readers. */
 import { type ReadonlySignal, signal } from "@preact/signals";
+import * as messages from "./messages";
 
 interface Action {
   label: string;
@@ -55,20 +56,18 @@ export function announce(text: string): void {
  */
 const UNFETCHED =
   /dynamically imported module|importing a module script failed|unable to preload css|program could not be loaded|failed to fetch|load failed|networkerror when attempting|expected magic word|match magic number|module doesn't start with/i;
-const AGAIN =
-  "A part of Frond could not be fetched. The network may be away, or a newer Frond is there: load the page again, what you made stays in the address.";
 
 /** For what only another start of the page may mend. */
-export const loadAgain = { label: "Load it again", run: () => location.reload() };
+export const loadAgain = { label: messages.reload, run: () => location.reload() };
 
 /** Whether a part of the page is missing: another start of it helps. */
-export const isUnfetched = (problem: unknown): boolean => wordsOf(problem) === AGAIN;
+export const isUnfetched = (problem: unknown): boolean => wordsOf(problem) === messages.partNotFetched;
 
 /** The words of anything that was thrown: a `FrondError`, an `Error`, or a bare value. */
 export function wordsOf(problem: unknown): string {
   if (typeof problem === "object" && problem !== null && "message" in problem) {
     const { message } = problem as { message: unknown };
-    if (typeof message === "string" && UNFETCHED.test(message)) return AGAIN;
+    if (typeof message === "string" && UNFETCHED.test(message)) return messages.partNotFetched;
     if (typeof message === "string" && message) return message;
   }
   return String(problem);

@@ -58,7 +58,7 @@ it("keeps shapes of several states, and none that are no such", async () => {
 it("says so where there is no room, and has the shape all the same", async () => {
   const { keepShape, ownShapes } = await opened();
   isFull = true;
-  expect(keepShape(HALF)).toMatch(/until the page is closed/);
+  expect(keepShape(HALF)).toMatch(/when you close the page/);
   expect(ownShapes.value).toHaveLength(1);
 });
 

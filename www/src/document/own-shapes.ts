@@ -1,6 +1,7 @@
 /** Shapes that a person keeps, in this browser: the gallery lists them beside its own. */
 import { type ReadonlySignal, signal } from "@preact/signals";
 import type { DirectedMap, DirectedShape, MapRow, Shape } from "#wasm/api";
+import * as messages from "./messages";
 
 export interface OwnShape {
   id: string;
@@ -36,8 +37,7 @@ export function keepDirected({ name, states, outline }: DirectedShape): string |
 }
 
 function keep(shape: Omit<OwnShape, "id">): string | null {
-  if (kept.peek().length >= MOST_SHAPES)
-    return `There are ${MOST_SHAPES} shapes of yours, and no more are kept. Remove one first.`;
+  if (kept.peek().length >= MOST_SHAPES) return messages.tooManyShapes(MOST_SHAPES);
   const one = { id: crypto.randomUUID(), ...shape, name: shape.name.slice(0, LONGEST_NAME) };
   return save([one, ...kept.peek()]);
 }
@@ -54,7 +54,7 @@ export function copyName(name: string, taken: ReadonlySet<string>): string {
 export function renameOwnShape(id: string, name: string): string | null {
   const given = name.trim().slice(0, LONGEST_NAME);
   return given === ""
-    ? "A name has at least one letter."
+    ? messages.nameIsEmpty
     : save(kept.peek().map((one) => (one.id === id ? { ...one, name: given } : one)));
 }
 
@@ -122,7 +122,7 @@ function save(next: readonly OwnShape[]): string | null {
     localStorage.setItem(KEY, JSON.stringify(next));
     return null;
   } catch {
-    return "This browser keeps nothing more for Frond: it is here until the page is closed. The link holds it, too.";
+    return messages.shapesNotStored;
   }
 }
 

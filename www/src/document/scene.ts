@@ -3,6 +3,7 @@ import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Scene } from "#wasm/api";
 import { close, EMPTY, type History, record, stepBack, stepForward } from "./history";
 import { keep } from "./keep";
+import * as messages from "./messages";
 
 /** Stands until the wasm module has told its own default: a gasket and its mirror image. */
 const BLANK: Scene = {
@@ -15,7 +16,7 @@ const BLANK: Scene = {
     ],
   },
   b: {
-    name: "Mirrored gasket",
+    name: messages.mirroredGasket,
     maps: [
       [0.5, 0, 0, 0.5, 0, 0],
       [0.5, 0, 0, 0.5, 0.5, 0],

@@ -14,7 +14,7 @@ it("tells how much of a box is turned over", () => {
 it("says what to do, and nothing where there is nothing", () => {
   expect(foldedWords(0, "All back")).toBeNull();
   expect(foldedWords(1, "All back")).toMatch(/inside out\. “All back”/);
-  expect(foldedWords(0.001, "All back")).toMatch(/about 1%/);
+  expect(foldedWords(0.001, "All back")).toMatch(/About 1%/);
 });
 
 it("Bernstein polynomials sum to one, outside as well", () => {

@@ -1,4 +1,5 @@
 /** Where a bend turns the plane, or space, over: there what it bends lies mirrored, over other parts of it. */
+import * as messages from "./messages";
 
 /** Places that are looked at along each side, and half the step of a difference. */
 const LOOKS = 9;
@@ -51,7 +52,5 @@ export function bernstein(t: number, count: number): number[] {
 export function foldedWords(part: number, back: string): string | null {
   if (part === 0) return null;
   const percent = Math.max(1, Math.round(100 * part));
-  return percent > 99
-    ? `All of it is turned inside out. “${back}” undoes that.`
-    : `It is folded over in about ${percent}% of its box: there parts lie mirrored, over others. “${back}” undoes that.`;
+  return percent > 99 ? messages.allInsideOut(back) : messages.foldedOver(percent, back);
 }

@@ -3,6 +3,7 @@ import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { Box } from "#geometry/boxes";
 import type { Curve, CurveShape } from "#wasm/api";
 import { curvesReady, loadCurves, rough } from "#wasm/curve";
+import * as messages from "../messages";
 import { notify, wordsOf } from "../notice";
 import { scene } from "../scene";
 
@@ -28,7 +29,7 @@ export const curved: ReadonlySignal<boolean> = computed(() => inDocument.value !
 effect(() => {
   if (!curved.value) return;
   loadCurves().catch((problem) =>
-    notify({ kind: "error", text: `Closed curves could not be loaded: ${wordsOf(problem)}` }),
+    notify({ kind: "error", text: messages.curvesNotLoaded(wordsOf(problem)) }),
   );
 });
 

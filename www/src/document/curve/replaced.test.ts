@@ -18,7 +18,7 @@ test("the end that was not chosen is named where it had to give way, and comes b
   edit((before) => withCurve(before, "b", mine, oak));
   expect(tellReplaced(BLANK, "b")).toBe(true);
   const [notice] = notices.peek();
-  expect(notice?.text).toBe("Gasket was put away: an outline morphs only with an outline. A is Oak for now.");
+  expect(notice?.text).toBe("Outlines morph only into outlines, so A is now Oak instead of Gasket.");
   notice?.action?.run();
   expect(scene.peek()).toEqual(BLANK);
 });
@@ -38,7 +38,7 @@ test("of what is bent it is said what was there, and no word of the other end", 
   edit((before) => withCurve(before, "a", mine, oak));
   tellReplaced(BLANK, "bent");
   const [notice] = notices.peek();
-  expect([notice?.text, notice?.instead]).toEqual(["Gasket was put away for My leaf.", undefined]);
+  expect([notice?.text, notice?.instead]).toEqual(["My leaf replaces Gasket.", undefined]);
 });
 
 test("so is an outline that gives way to a system", () => {
@@ -46,7 +46,9 @@ test("so is an outline that gives way to a system", () => {
   const before = scene.peek();
   edit(withoutCurves);
   expect(tellReplaced(before, "a")).toBe(true);
-  expect(notices.peek()[0]?.text).toMatch(/^My leaf was put away: .* B is Mirrored gasket for now\.$/);
+  expect(notices.peek()[0]?.text).toMatch(
+    /^Outlines morph only .* B is now Mirrored gasket instead of My leaf\.$/,
+  );
 });
 
 test("nothing is told where the other end stays", () => {

@@ -1,6 +1,7 @@
 /** Outlines morph with outlines alone: what had to go for that is named, with ways back. */
 import type { CurveShape, Scene } from "#wasm/api";
 import { oneState } from "../directed/changes";
+import * as messages from "../messages";
 import { notify } from "../notice";
 import { scene, undo } from "../scene";
 import { endsOf } from "../stand-in";
@@ -19,15 +20,15 @@ export function tellReplaced(before: Scene, chosen: "a" | "b" | "bent"): boolean
   if (!before.curves === !now.curves) return false;
   const end = chosen === "a" ? "b" : "a";
   const [gone, there] = [endsOf(before)[end].name, endsOf(now)[end].name];
-  const action = { label: "Undo", run: undo };
+  const action = { label: messages.undo, run: undo };
   if (chosen === "bent") {
-    notify({ kind: "info", text: `${gone} was put away for ${there}.`, action });
+    notify({ kind: "info", text: messages.replaced(gone, there), action });
     return true;
   }
   const outline = now.curves?.[chosen];
   notify({
     kind: "info",
-    text: `${gone} was put away: an outline morphs only with an outline. ${end.toUpperCase()} is ${there} for now.`,
+    text: messages.outlinesMorphIntoOutlines(end.toUpperCase(), there, gone),
     action,
     ...(outline ? { instead: edgeByEdge(before, chosen, outline) } : {}),
   });
@@ -38,9 +39,9 @@ export function tellReplaced(before: Scene, chosen: "a" | "b" | "bent"): boolean
 function edgeByEdge(before: Scene, chosen: "a" | "b", outline: CurveShape) {
   const kept =
     chosen === "b" ? (before.directed?.a ?? oneState(before.a)) : (before.directed?.b ?? oneState(before.b));
-  const names = [short(kept.name), short(outline.name)];
+  const [gone, there] = [short(kept.name), short(outline.name)];
   return {
-    label: (chosen === "b" ? names : names.reverse()).join(" to "),
+    label: chosen === "b" ? messages.aToB(gone, there) : messages.aToB(there, gone),
     run: async () => {
       const { withOutline } = await import("../directed/outlines");
       await withOutline(chosen, outline, kept);

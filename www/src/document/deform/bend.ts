@@ -5,6 +5,7 @@ import type { Bend, Deformation, Scene } from "#wasm/api";
 import { loadBends } from "#wasm/bend";
 import { curved } from "../curve/curve";
 import { aroundStanding } from "../framing";
+import * as messages from "../messages";
 import { notify, wordsOf } from "../notice";
 import { edit, replace, scene } from "../scene";
 import { tool } from "../tool";
@@ -88,7 +89,5 @@ const bending = computed(() => bend.value !== null);
 // What bends is fetched with the first bend.
 effect(() => {
   if (!bending.value) return;
-  loadBends().catch((problem) =>
-    notify({ kind: "error", text: `What bends shapes could not be loaded: ${wordsOf(problem)}` }),
-  );
+  loadBends().catch((problem) => notify({ kind: "error", text: messages.bendsNotLoaded(wordsOf(problem)) }));
 });

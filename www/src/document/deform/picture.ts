@@ -1,5 +1,6 @@
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
 import type { MapRow } from "#wasm/api";
+import * as messages from "../messages";
 import { notify } from "../notice";
 import { tool } from "../tool";
 import { deformation } from "./bend";
@@ -32,7 +33,7 @@ export function watchPicture(): () => void {
   return effect(() => {
     const sampled = pictureWanted.value && !ownPicture.value;
     if (sampled && first) {
-      notify({ kind: "info", text: "The picture itself is not in the link: choose it again." });
+      notify({ kind: "info", text: messages.pictureNotInLink });
     }
     first = false;
     if (!sampled || asked) return;
@@ -43,7 +44,7 @@ export function watchPicture(): () => void {
         asked = false;
         notify({
           kind: "error",
-          text: "The sample picture could not be loaded. Choose a picture of your own.",
+          text: messages.sampleNotLoaded,
         });
       },
     );

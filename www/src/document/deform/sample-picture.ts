@@ -1,3 +1,4 @@
+import * as messages from "../messages";
 import { type Photograph, SAMPLE } from "./photograph";
 
 const { width: WIDTH, height: HEIGHT } = SAMPLE;
@@ -9,7 +10,7 @@ export function drawSample(): Photograph {
   canvas.width = WIDTH;
   canvas.height = HEIGHT;
   const context = canvas.getContext("2d", { willReadFrequently: true });
-  if (!context) throw new Error("This browser draws on no canvas.");
+  if (!context) throw new Error(messages.noCanvas);
   sky(context);
   sun(context);
   hills(context);
@@ -17,7 +18,7 @@ export function drawSample(): Photograph {
   meadow(context);
   ferns(context);
   const { data } = context.getImageData(0, 0, WIDTH, HEIGHT);
-  return { pixels: data, width: WIDTH, height: HEIGHT, name: "Sample: ferns at dusk" };
+  return { pixels: data, width: WIDTH, height: HEIGHT, name: messages.sampleName };
 }
 
 type Context = CanvasRenderingContext2D;

@@ -5,6 +5,7 @@ import type { Scene } from "#wasm/api";
 import { directedTask } from "#workers/directed/client";
 import type { Moment, Way } from "#workers/directed/moment";
 import { isStopped } from "#workers/lanes/latest";
+import * as messages from "../messages";
 import { notify, wordsOf } from "../notice";
 import { scene } from "../scene";
 import { directedBoxAt } from "../stand-in";
@@ -46,7 +47,7 @@ effect(() => {
     },
     (problem) => {
       if (!isStopped(problem)) {
-        notify({ kind: "error", text: `What draws several states could not be loaded: ${wordsOf(problem)}` });
+        notify({ kind: "error", text: messages.statesNotLoaded(wordsOf(problem)) });
         directedBoxAt.value ??= () => null;
       }
     },

@@ -4,6 +4,7 @@ import type { CurveShape, DirectedIfs, DirectedShape } from "#wasm/api";
 import { loadCurves, rough } from "#wasm/curve";
 import { directed, loadDirected } from "#wasm/directed";
 import { withoutCurves } from "../curve/changes";
+import * as messages from "../messages";
 import { notify, wordsOf } from "../notice";
 import { edit, scene } from "../scene";
 import { openTool } from "../tool";
@@ -111,7 +112,7 @@ async function told({ name }: Pick<CurveShape, "name">, act: () => Promise<void>
     await act();
     return true;
   } catch (problem) {
-    notify({ kind: "error", text: `${name} cannot be taken edge by edge: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: messages.notEdgeByEdge(name, wordsOf(problem)) });
     return false;
   }
 }

@@ -1,5 +1,6 @@
 /** Where this browser keeps what a person makes: one database, and a store in it for each kind of thing. */
 import { type IDBPDatabase, openDB } from "idb";
+import * as messages from "../messages";
 
 /** Stores are added at the end, each with a version of its own. */
 const STORES = ["documents", "fits", "answers"] as const;
@@ -85,13 +86,10 @@ export const newId = (): string =>
 /** Why nothing is kept, and what can be done. */
 export function reasonOf(problem: unknown): string {
   const name = problem instanceof Error || problem instanceof DOMException ? problem.name : "";
-  if (problem instanceof TooManyPinned)
-    return `${problem.most} are pinned, and no more can be. Unpin or remove one first.`;
-  if (name === "QuotaExceededError")
-    return "There is no room left in this browser. Remove some of what is kept, or save the link.";
-  if (name === "VersionError")
-    return "A newer Frond keeps your work here. Load this page anew to see it; the address holds what you made.";
-  return "This browser keeps nothing for Frond, as in a private window. The address holds what you made.";
+  if (problem instanceof TooManyPinned) return messages.tooManyPinned(problem.most);
+  if (name === "QuotaExceededError") return messages.noRoom;
+  if (name === "VersionError") return messages.newerFrond;
+  return messages.notStored;
 }
 
 /** What is pinned is never pushed out, so that it has a bound of its own. */
@@ -99,7 +97,7 @@ export class TooManyPinned extends Error {
   readonly most: number;
 
   constructor(most: number) {
-    super(`no more than ${most} can be pinned`);
+    super(messages.tooManyPinned(most));
     this.most = most;
   }
 }

@@ -61,7 +61,7 @@ it("pins no more than it can hold, and says so", async () => {
     if (n < MOST_PINNED_FITS) await fits.pin(`id-${n}`, true);
   }
   const problem = await fits.pin(`id-${MOST_PINNED_FITS}`, true).catch((reason: unknown) => reason);
-  expect(reasonOf(problem)).toMatch(/^60 are pinned.*Unpin or remove one/);
+  expect(reasonOf(problem)).toMatch(/^You can pin up to 60 items.*Unpin or remove one/);
   expect((await fits.list()).filter(({ pinned }) => pinned)).toHaveLength(MOST_PINNED_FITS);
   // What is pinned can be pinned again.
   await fits.pin("id-0", true);

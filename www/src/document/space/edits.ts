@@ -4,6 +4,7 @@
  */
 import type { Ease, MapRow3, Space, SpaceFrame, SpaceKey, SpaceObject, SpaceTimeline } from "#wasm/api";
 import { solid } from "#wasm/space";
+import * as messages from "../messages";
 import { notify, wordsOf } from "../notice";
 import { edit, replace, scene } from "../scene";
 import {
@@ -62,7 +63,7 @@ export function reshapeSpace(change: (space: Space) => Space, options: Options =
 /** Says that there is no morph any more, where there was one. */
 export function tellOfMorph(before: boolean): void {
   if (!before || space.peek()?.morph) return;
-  notify({ kind: "info", text: "The morph has ended: it was of other maps. Undo brings it back." });
+  notify({ kind: "info", text: messages.morphEnded });
 }
 
 /**

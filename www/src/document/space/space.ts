@@ -11,6 +11,7 @@ import type {
   SpaceView,
 } from "#wasm/api";
 import { loadSpace, type SpaceMotionHandle, solid } from "#wasm/space";
+import * as messages from "../messages";
 import { notify, wordsOf } from "../notice";
 import { spacePlaying } from "../playback";
 import { edit, replace, scene } from "../scene";
@@ -42,7 +43,7 @@ export const space: ReadonlySignal<Space | null> = computed(() => {
   try {
     found = packed === "" ? solid.defaultSpace() : solid.unpackSpace(packed);
   } catch (problem) {
-    notify({ kind: "error", text: `${wordsOf(problem)} Frond shows what space begins with instead.` });
+    notify({ kind: "error", text: messages.showsDefaultSpace(wordsOf(problem)) });
     found = solid.defaultSpace();
   }
   known = { packed, space: found };

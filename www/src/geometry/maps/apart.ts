@@ -1,4 +1,6 @@
 /** How far the two ways to move a shape are apart: to move its points, and to move its parameters (eq 1). */
+
+import * as messages from "../messages";
 import { axesOf, type Row } from "./row";
 
 export interface Apart {
@@ -69,12 +71,11 @@ function take(map: Row, from: Float64Array, to: Float64Array): void {
 export function apartWords({ most, size, points }: Apart): string {
   const count = points.toLocaleString("en");
   const part = most / size;
-  if (most === 0) return `All ${count} points are the same to the last digit.`;
-  if (!Number.isFinite(part)) return "The points have no size to compare with.";
+  if (most === 0) return messages.allPointsSame(count);
+  if (!Number.isFinite(part)) return messages.pointsWithoutSize;
   const power = Math.ceil(Math.log10(part));
-  if (part < 1e-9)
-    return `${count} points: apart by less than 10${superscript(power)} of its size, which is rounding.`;
-  return `${count} points: apart by up to 10${superscript(power)} of its size.`;
+  if (part < 1e-9) return messages.apartByRounding(count, superscript(power));
+  return messages.apartBy(count, superscript(power));
 }
 
 function superscript(n: number): string {

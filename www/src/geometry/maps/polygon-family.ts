@@ -1,5 +1,6 @@
 /** What is proved of the polygon families, {s z + e^(2 pi i k / n)}, without looking. */
 import type { Connectedness } from "#wasm/api";
+import * as messages from "../messages";
 
 export const isPrime = (n: number): boolean => {
   for (let d = 2; d * d <= n; d++) if (n % d === 0) return false;
@@ -31,9 +32,7 @@ export function answerOf(
     ...inOnePiece(found),
     reason: {
       kind: "area",
-      text:
-        `${sides} times |s|² is 1 or more: if all pieces were apart, there would be no room for them. So two of them meet. ` +
-        `A turn by 1/${sides} takes the shape into itself, and ${sides} is prime: so all hang together.`,
+      text: messages.polygonFills(sides),
       links: [],
       assuming: [],
     },

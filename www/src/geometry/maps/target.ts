@@ -1,5 +1,6 @@
 /** A game of throws: a cell of a shape is to be reached by choosing maps, in as few as can be. */
 import type { MapRow } from "#wasm/api";
+import * as messages from "../messages";
 import { imageOf } from "./affine2";
 import { anchorOf, hash, isInvertible, type Point, pieceMap, preimageOf } from "./orbit";
 
@@ -19,11 +20,10 @@ const FORGET = 50;
 
 /** Why this is not played with these maps, in a sentence; null where it is. */
 export function unplayable(maps: readonly MapRow[]): string | null {
-  if (maps.length < 2) return "A cell to reach needs a shape of at least two maps.";
-  if (maps.length > MOST_PLAYED)
-    return `This shape has ${maps.length} maps. The game is for shapes of 2 to ${MOST_PLAYED}.`;
+  if (maps.length < 2) return messages.targetNeedsTwoMaps;
+  if (maps.length > MOST_PLAYED) return messages.targetTooManyMaps(maps.length, MOST_PLAYED);
   const flat = maps.findIndex((map) => !isInvertible(map));
-  if (flat >= 0) return `Map ${flat + 1} flattens the shape: its cells are lines, which nobody can hit.`;
+  if (flat >= 0) return messages.targetIsFlat(flat + 1);
   return null;
 }
 
