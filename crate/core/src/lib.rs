@@ -37,7 +37,8 @@
 //! 7. `digits/`: shapes on a grid ([`DigitSystem`]), and what two of them share as such a system, found in whole
 //!    numbers ([`grid_intersection`]).
 //! 8. `animation/`: key frames ([`Motion3`]) and places ([`Place3`]). `projection/` and `intersection`: shadows of
-//!    shapes of space ([`exact_projection`]), and where two shapes meet ([`intersection()`]).
+//!    shapes of space ([`exact_projection`]), where two shapes meet ([`intersection()`]), and how far they are from each
+//!    other ([`hausdorff_distance`]).
 //!    [`closed_form`]: which fractions and roots doubles come near.
 //!
 //! # The papers
@@ -56,6 +57,7 @@ mod dimension;
 mod directed;
 mod error;
 pub mod hash;
+mod hausdorff;
 mod ifs;
 mod intersection;
 mod linear;
@@ -96,6 +98,7 @@ pub use directed::system::DirectedIfs;
 pub use error::{IfsError, MAX_MAPS};
 /// Vectors and matrices, of the version that the interface is written in.
 pub use glam;
+pub use hausdorff::{HausdorffDistance, HausdorffOptions, hausdorff_distance};
 pub use ifs::contraction::{Contraction, Contraction3};
 pub use ifs::fractal_dimension::{affinity_dimension, similarity_dimension};
 pub use ifs::system::{Ifs, Ifs3};
