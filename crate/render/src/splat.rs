@@ -5,11 +5,16 @@
 //! the points of the others are drawn through their maps.
 
 pub(crate) mod cloud;
+mod parts;
+mod place;
+mod whole;
 
 use frond_core::Affine2;
 
-use self::cloud::{Cloud, Clouds, LANES};
-use crate::coverage::flood::{CloudPoint, Flood};
+use self::cloud::{Cloud, Clouds};
+use self::parts::{PIECE, Parts, SPACING, finer};
+use self::place::{BEHIND, Placement, each_of_large};
+use crate::coverage::flood::Flood;
 use crate::picture::bitmap::Bitmap;
 use crate::picture::window::{Extent, PixelBox, Window};
 use crate::pieces::cut::cut_roughly;
@@ -30,15 +35,8 @@ pub struct Splats {
     pub points: u64,
 }
 
-/// The largest pieces that points are drawn for, in pixels.
-const PIECE: f64 = 48.0;
-/// The distance of points, in pixels: with less than one to a pixel there would be holes.
-const SPACING: f64 = 0.85;
-/// A second time with points nearer to each other is worth while from such a distance on, and none is nearer than this.
-const FINER: (f64, f64) = (0.7, 0.3);
-/// Points for each pixel of the window, and on top, before pieces overlap too much; and pieces looked at.
+/// Points for each pixel of the window, and on top, before pieces overlap too much.
 const MOST_POINTS: (u64, u64) = (6, 500_000);
-const MOST_VISITS: u64 = 300_000;
 /// Where they do: points in all, the pieces drawn of a close view, and the points of a cloud times its maps.
 const ROUGH_POINTS: f64 = 3.0e6;
 const ROUGH_PIECES: usize = 32;
@@ -50,8 +48,8 @@ impl Splats {
     #[must_use]
     pub fn draw(frame: &Frame, to_screen: Affine2, window: Window, points: u64) -> Self {
         let mut splats = Self { window, codes: Vec::new(), whole: true, maps: frame.maps.len(), points: 0 };
-        // A row and a pixel more than there are: points outside of the window go there.
-        splats.codes.resize(window.area() + window.width as usize + 1, ShortCode::default());
+        // Points outside of the window go behind it.
+        splats.codes.resize(window.area() + BEHIND, ShortCode::default());
         if to_screen.is_finite() {
             splats.all(frame, to_screen, points);
         }
@@ -63,12 +61,8 @@ impl Splats {
         self.whole = self.pieces(frame, to_screen, SPACING);
         if !self.whole {
             self.rough(frame, to_screen);
-            return;
-        }
-        let first = self.points;
-        let spacing = SPACING * (first as f64 / points.saturating_sub(first).max(1) as f64).sqrt();
-        if spacing < FINER.0 {
-            self.pieces(frame, to_screen, spacing.max(FINER.1));
+        } else if let Some(spacing) = finer(self.points, points) {
+            self.pieces(frame, to_screen, spacing);
         }
     }
 
@@ -76,27 +70,15 @@ impl Splats {
     fn pieces(&mut self, frame: &Frame, to_screen: Affine2, spacing: f64) -> bool {
         let mut clouds = Clouds::new(frame, PIECE, spacing);
         let most = self.points + MOST_POINTS.0 * self.window.area() as u64 + MOST_POINTS.1;
-        let mut visits = 0;
-        let mut stack = vec![(to_screen, Letters::NONE)];
-        while let Some((map, letters)) = stack.pop() {
-            visits += 1;
-            if visits > MOST_VISITS || self.points > most {
+        let mut parts = Parts::new(frame, to_screen, self.window);
+        while let Some(part) = parts.next(|pixels| all_lit(&self.codes, self.window, pixels)) {
+            let which = clouds.which(part.size);
+            self.stamp(&part.map, part.letters, clouds.get(which), &part.extent);
+            if self.points > most {
                 return false;
             }
-            let Some(extent) = self.window.extent_once(&map) else { continue };
-            if letters.count() > 0 {
-                if all_lit(&self.codes, self.window, extent.pixels) {
-                    continue;
-                }
-                let size = 2.0 * map.norm();
-                if size <= PIECE {
-                    self.stamp(&map, letters, clouds.for_size(size), &extent);
-                    continue;
-                }
-            }
-            stack.extend(frame.maps.iter().enumerate().map(|(i, part)| (map * *part, letters.then(i))));
         }
-        true
+        !parts.too_many
     }
 
     /// Draws some large pieces with one cloud, whatever they overlap: all maps of a shape that is seen whole, some
@@ -113,19 +95,22 @@ impl Splats {
         flood.run(u64::MAX);
         let cloud = Cloud::of(flood.into_points());
         for piece in pieces {
-            if let Some(extent) = self.window.extent_once(&piece.map) {
-                self.stamp(&piece.map, piece.letters, &cloud, &extent);
-            }
+            self.points += cloud.points.len() as u64;
+            each_of_large(&piece.map, self.window, &cloud, |at, point| {
+                if let Some(pixel) = self.codes.get_mut(at as usize) {
+                    *pixel = (*pixel).max(ShortCode::of(piece.letters.join(point.letters), self.maps));
+                }
+            });
         }
     }
 
     fn stamp(&mut self, map: &Affine2, letters: Letters, cloud: &Cloud, extent: &Extent) {
         self.points += cloud.points.len() as u64;
-        let place = Placement::new(map, self.window, extent);
+        let place = Placement::new(map, self.window.width, extent);
         let known = letters.count() >= KEPT;
         let code = ShortCode::of(letters, self.maps);
-        place.each(cloud, |at, point| {
-            if let Some(pixel) = self.codes.get_mut(at) {
+        place.each(cloud, self.window.area() as u32, |at, point| {
+            if let Some(pixel) = self.codes.get_mut(at as usize) {
                 let code = if known { code } else { ShortCode::of(letters.join(point.letters), self.maps) };
                 *pixel = (*pixel).max(code);
             }
@@ -154,55 +139,6 @@ pub(crate) fn close_holes<C: Code>(codes: &mut [C], window: Window) {
         let at = y as usize * width + x as usize;
         codes[at] = codes[at - 1];
     });
-}
-
-/// How a cloud is put on the pixels.
-struct Placement {
-    linear: [f32; 4],
-    /// In pixels from a corner of the piece's box, so that `f32` is exact to a thousandth however large the picture.
-    translation: [f32; 2],
-    /// The first pixel of the window from that corner, in numbers that wrap around, and its sides.
-    low: [u32; 2],
-    size: [u32; 2],
-}
-
-/// Added to a number from 0 to 2^22, this leaves the nearest integer in its low bits.
-const TO_INTEGER: f32 = 8_388_608.0;
-const INTEGER_BITS: u32 = 0x007f_ffff;
-
-impl Placement {
-    fn new(map: &Affine2, window: Window, extent: &Extent) -> Self {
-        let corner = (map.translation - extent.reach).floor() - 1.0;
-        let [a, b, c, d, e, f] = map.to_row();
-        Self {
-            linear: [a, b, c, d].map(|x| x as f32),
-            // The nearest integer to what is half a pixel less is the pixel.
-            translation: [(e - corner.x - 0.5) as f32, (f - corner.y - 0.5) as f32],
-            low: [(-corner.x) as i64 as u32, (-corner.y) as i64 as u32],
-            size: [window.width, window.height],
-        }
-    }
-
-    /// Tells where each point is among the pixels, and which it is; behind the last of them for one outside.
-    #[inline]
-    fn each(&self, cloud: &Cloud, mut put: impl FnMut(usize, &CloudPoint)) {
-        let [a, b, c, d] = self.linear;
-        let [e, f] = self.translation;
-        let [width, height] = self.size;
-        for ([xs, ys], points) in cloud.places.iter().zip(cloud.points.chunks(LANES)) {
-            let mut places = [0_u32; LANES];
-            for k in 0..LANES {
-                let x = (a * xs[k] + b * ys[k] + e + TO_INTEGER).to_bits() & INTEGER_BITS;
-                let y = (c * xs[k] + d * ys[k] + f + TO_INTEGER).to_bits() & INTEGER_BITS;
-                let (x, y) = (x.wrapping_sub(self.low[0]), y.wrapping_sub(self.low[1]));
-                let y = if x < width { y } else { height };
-                places[k] = y.min(height).wrapping_mul(width).wrapping_add(x.min(width));
-            }
-            for (place, point) in places.into_iter().zip(points) {
-                put(place as usize, point);
-            }
-        }
-    }
 }
 
 #[cfg(test)]
@@ -380,32 +316,6 @@ mod tests {
         }
         let none = Window { width: 0, height: 0 };
         assert!(Splats::draw(&frame, Affine2::IDENTITY, none, MANY).codes.is_empty());
-    }
-
-    #[test]
-    fn points_of_large_pieces_in_large_pictures_are_where_they_belong() {
-        let window = Window { width: 8000, height: 6000 };
-        let points: Vec<CloudPoint> = (0..500)
-            .map(|i| {
-                let at = |seed| frond_core::hash::unit(frond_core::hash::counter(seed, i)) * 1.6 - 0.8;
-                CloudPoint { position: [at(1), at(2)], letters: Letters::NONE }
-            })
-            .collect();
-        let cloud = Cloud::of(points);
-        for row in
-            [[3900.0, 300.0, -200.0, 2900.0, 4000.3, 3000.4], [9000.0, 0.0, 0.0, 9000.0, -2000.2, 7000.1]]
-        {
-            let map = Affine2::from_row(row);
-            let place = Placement::new(&map, window, &window.extent(&map).unwrap());
-            let (mut within, mut differ) = (0, 0);
-            place.each(&cloud, |at, point| {
-                let exact = map.apply(glam::Vec2::from(point.position).as_dvec2());
-                let pixel = window.pixel(exact).map(|(x, y)| (y * window.width + x) as usize);
-                within += u32::from(pixel.is_some());
-                differ += u32::from(pixel.unwrap_or(at.max(window.area())) != at);
-            });
-            assert!(within > 50 && differ <= 2, "{row:?}: {differ} of {within}");
-        }
     }
 
     #[test]

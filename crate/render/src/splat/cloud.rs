@@ -1,7 +1,9 @@
 //! Points that stand for the attractor, about one to a cell of a grid.
 
 use glam::DVec2;
+use wide::i16x8;
 
+use super::whole::split_point;
 use crate::coverage::flood::{CloudPoint, Flood};
 use crate::pieces::frame::Frame;
 
@@ -9,19 +11,25 @@ use crate::pieces::frame::Frame;
 pub const LANES: usize = 8;
 
 /// Points of the attractor in unit coordinates.
+#[derive(Debug)]
 pub struct Cloud {
     pub points: Vec<CloudPoint>,
-    /// The places of as many points as are placed at once: the x of each, then the y. The last of all is repeated.
-    pub places: Vec<[[f32; LANES]; 2]>,
+    /// Where they are in whole numbers, as many as are placed at once: of four and four the x of each and its y, high
+    /// parts and low ones. Behind the last of all are zeros.
+    pub places: Vec<[[i16x8; 2]; 2]>,
 }
 
 impl Cloud {
     /// A cloud of these points.
     pub fn of(points: Vec<CloudPoint>) -> Self {
         let place = |chunk: &[CloudPoint]| {
-            let of =
-                |axis: usize| std::array::from_fn(|lane| chunk[lane.min(chunk.len() - 1)].position[axis]);
-            [of(0), of(1)]
+            let mut parts = [[[0; 8]; 2]; 2];
+            for (k, point) in chunk.iter().enumerate() {
+                for (part, [x, y]) in parts[k / 4].iter_mut().zip(split_point(point.position)) {
+                    [part[2 * (k % 4)], part[2 * (k % 4) + 1]] = [x, y];
+                }
+            }
+            parts.map(|half| half.map(i16x8::new))
         };
         let places = points.chunks(LANES).map(place).collect();
         Self { points, places }
@@ -29,6 +37,7 @@ impl Cloud {
 }
 
 /// Clouds for pieces of a size, a little less, and so on.
+#[derive(Debug)]
 pub struct Clouds {
     clouds: [Option<Cloud>; COUNT],
     /// Points of the attractor, nearer to each other than those of any cloud.
@@ -51,14 +60,25 @@ impl Clouds {
         Self { clouds: [const { None }; COUNT], points: flood.into_points(), largest, spacing }
     }
 
-    /// The cloud for pieces of a size.
-    pub fn for_size(&mut self, size: f64) -> &Cloud {
+    /// The cloud for pieces of a size, by its number.
+    pub fn which(&self, size: f64) -> usize {
         let (mut which, mut upper) = (0, self.largest);
         while which + 1 < COUNT && size <= upper * NEXT {
             upper *= NEXT;
             which += 1;
         }
+        which
+    }
+
+    /// The cloud for pieces of a size.
+    pub fn for_size(&mut self, size: f64) -> &Cloud {
+        self.get(self.which(size))
+    }
+
+    /// The cloud of such a number.
+    pub fn get(&mut self, which: usize) -> &Cloud {
         let (points, spacing) = (&self.points, self.spacing);
+        let upper = (0..which).fold(self.largest, |upper, _| upper * NEXT);
         self.clouds[which].get_or_insert_with(|| thinned(points, (upper / spacing).ceil().max(1.0) as usize))
     }
 }
