@@ -2,6 +2,7 @@
 
 use frond_core::Affine2;
 
+use super::place::SLACK;
 use crate::picture::window::{Extent, PixelBox, Window};
 use crate::pieces::frame::Frame;
 use crate::pieces::letters::Letters;
@@ -52,7 +53,7 @@ impl<'a> Parts<'a> {
                 self.too_many = true;
                 return None;
             }
-            let Some(extent) = self.window.extent_once(&map) else { continue };
+            let Some(extent) = extent(self.window, &map) else { continue };
             if letters.count() > 0 {
                 if hidden(extent.pixels) {
                     continue;
@@ -67,6 +68,12 @@ impl<'a> Parts<'a> {
         }
         None
     }
+}
+
+/// Where a piece is, with what rounding may add: a piece whose box is left out puts no point anywhere else.
+#[inline(never)]
+fn extent(window: Window, map: &Affine2) -> Option<Extent> {
+    window.extent_within(map, SLACK)
 }
 
 /// How near points are the second time, where so many were drawn the first time and there may be about `points` in all.

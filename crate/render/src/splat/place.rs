@@ -35,6 +35,11 @@ pub struct Placement {
 /// Places that a picture needs behind its pixels, for points outside of them: as many as a point may be along a row
 /// from the first pixel of a box, since the next point waits where it goes to the same place.
 pub const BEHIND: usize = 1 << (u32::BITS - SHIFT);
+/// What is said of the box of a piece that is wholly in the picture: more pixels than it has, so that no point is
+/// asked whether it is in.
+const WITHIN: [u32; 2] = [BEHIND as u32; 2];
+/// So much larger than a piece its box is, in pixels, that no point is rounded out of it.
+pub const SLACK: f64 = 1e-4;
 
 impl Placement {
     /// For a piece with this extent, where a row of the picture has `width` places.
@@ -49,7 +54,7 @@ impl Placement {
             }),
             translation: [e - f64::from(x.0), f - f64::from(y.0)].map(|x| (x * pixel) as i64 as u32),
             corner: y.0 * width + x.0,
-            size: [x.1 - x.0 + 1, y.1 - y.0 + 1],
+            size: if extent.inside { WITHIN } else { [x.1 - x.0 + 1, y.1 - y.0 + 1] },
             width,
         }
     }
@@ -77,10 +82,14 @@ impl Placement {
             }
             let mut places = [0_u32; LANES];
             for k in 0..LANES {
-                let (x, y) = (at[0][k], at[1][k]);
-                let inside = (x < self.size[0]) & (y < self.size[1]);
-                let row = y.wrapping_mul(self.width).wrapping_add(self.corner);
-                places[k] = if inside { row } else { behind }.wrapping_add(x);
+                let row = at[1][k].wrapping_mul(self.width).wrapping_add(self.corner);
+                places[k] = row.wrapping_add(at[0][k]);
+            }
+            if self.size != WITHIN {
+                for k in 0..LANES {
+                    let inside = (at[0][k] < self.size[0]) & (at[1][k] < self.size[1]);
+                    places[k] = if inside { places[k] } else { behind.wrapping_add(at[0][k]) };
+                }
             }
             for (place, point) in places.into_iter().zip(points) {
                 put(place, point);
@@ -101,6 +110,7 @@ pub fn each_of_large(map: &Affine2, window: Window, cloud: &Cloud, mut put: impl
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::picture::window::PixelBox;
     use crate::pieces::letters::Letters;
 
     const WINDOW: Window = Window { width: 8000, height: 6000 };
@@ -123,7 +133,7 @@ mod tests {
         ] {
             let map = Affine2::from_row(row);
             let (mut within, mut differ) = (0, 0);
-            Placement::new(&map, WINDOW.width, &WINDOW.extent(&map).unwrap()).each(
+            Placement::new(&map, WINDOW.width, &WINDOW.extent_within(&map, SLACK).unwrap()).each(
                 &cloud(),
                 area,
                 |at, point| {
@@ -142,11 +152,49 @@ mod tests {
         // Of the last column of points the box has none, though they are in the window.
         let map = Affine2::from_row([20.0, 0.0, 0.0, 20.0, 100.5, 100.5]);
         let mut extent = WINDOW.extent(&map).unwrap();
-        extent.pixels.x.1 = 110;
+        (extent.pixels.x.1, extent.inside) = (110, false);
         let mut most = 0;
         Placement::new(&map, WINDOW.width, &extent).each(&cloud(), WINDOW.area() as u32, |at, _| {
             most = most.max(if at < WINDOW.area() as u32 { at % WINDOW.width } else { 0 });
         });
         assert_eq!(most, 110);
+    }
+
+    #[test]
+    fn no_point_on_the_rim_of_a_piece_is_rounded_out_of_its_box() {
+        let mut near = 0;
+        for i in 0..3000 {
+            let random = |seed, least: f64| {
+                least + f64::from(frond_core::hash::unit(frond_core::hash::counter(seed, i)))
+            };
+            let (angle, size, flat) = (random(1, 0.0) * 6.3, random(2, 0.01) * 23.0, random(3, 0.0));
+            let (sin, cos) = angle.sin_cos();
+            let row = [size * cos, -size * sin * flat, size * sin, size * cos * flat];
+            let reach = [row[0].hypot(row[1]), row[2].hypot(row[3])];
+            // Its rim meets the border of pixels, all but a few parts of a million of a pixel.
+            let at = reach.map(|reach| 500.0 + reach.fract() * f64::from(i % 2) - 1e-6 * random(4, -0.5));
+            let at = if i % 2 == 0 { [at[0] - reach[0].fract(), at[1] - reach[1].fract()] } else { at };
+            let map = Affine2::from_row([row[0], row[1], row[2], row[3], at[0], at[1]]);
+            let rim = [[row[0] / reach[0], row[1] / reach[0]], [row[2] / reach[1], row[3] / reach[1]]];
+            let rim = rim.into_iter().flat_map(|[x, y]| [[x, y], [-x, -y]]);
+            let point =
+                |[x, y]: [f64; 2]| CloudPoint { position: [x as f32, y as f32], letters: Letters::NONE };
+            let extent = WINDOW.extent_within(&map, SLACK).unwrap();
+            assert!(extent.inside);
+            let PixelBox { x, y } = extent.pixels;
+            Placement::new(&map, WINDOW.width, &extent).each(
+                &Cloud::of(rim.map(point).collect()),
+                0,
+                |at, _| {
+                    let (column, line) = (at % WINDOW.width, at / WINDOW.width);
+                    assert!(
+                        column >= x.0 && column <= x.1 && line >= y.0 && line <= y.1,
+                        "{map:?}: {column}, {line}"
+                    );
+                    near += u32::from(column == x.0 || column == x.1 || line == y.0 || line == y.1);
+                },
+            );
+        }
+        assert!(near > 5000, "{near}");
     }
 }
