@@ -125,7 +125,7 @@ export default defineConfig({
             // What a page loads at once is one file, however much of it is shared with what it loads later.
             { name: "first", tags: ["$initial"] },
             // All small pictures of figures are shown together. What figures share is one file for the kit, and one a paper.
-            { name: "thumbs", test: /src\/figures\/.*\/thumb\.tsx$/, includeDependenciesRecursively: false },
+            { name: "thumbs", test: /src\/figures\/.*\/thumbs\.tsx$/, includeDependenciesRecursively: false },
             {
               name: (path) => /src\/figures\/([\w-]+)\//.exec(path)?.[1] ?? null,
               test: /src\/figures\//,

@@ -15,7 +15,7 @@ export interface Figure {
   /** One line for the index. */
   about: string;
   load(): Promise<PageModule>;
-  thumb(): Promise<ThumbModule>;
+  thumb(): Promise<SmallPicture>;
 }
 
 export interface PageModule extends Needing {
@@ -25,8 +25,18 @@ export interface PageModule extends Needing {
 }
 
 /** A small picture, made by the same parts as the figure itself. */
-export interface ThumbModule extends Needing {
+export interface SmallPicture extends Needing {
   Thumb: ComponentType;
+}
+
+/** The small pictures of a row, by the ids of its figures. */
+export type Thumbs = Readonly<Record<string, SmallPicture>>;
+
+/** Fetches the small pictures of a row, and takes that of one figure. */
+export async function thumbFrom(fetched: Promise<{ THUMBS: Thumbs }>, id: string): Promise<SmallPicture> {
+  const found = (await fetched).THUMBS[id];
+  if (!found) throw new Error(`There is no small picture of ${id}.`);
+  return found;
 }
 
 interface Needing {

@@ -1,12 +1,18 @@
 /**
  * All figures of the papers: the only place that names them; the lessons are in `lessons/course.ts`. A new one is a
- * folder with its `page.tsx` and its `thumb.tsx`, and an entry here. What a folder holds is fetched when it is shown,
- * so that this list can be read by anybody, tests without a browser too.
+ * folder with its `page.tsx`, an entry here, and one in `thumbs.tsx` of its paper. Pages and small pictures are fetched
+ * when they are shown, so that this list can be read by anybody, tests without a browser too.
  */
-import type { Figure, Row } from "./figure";
+import { type Figure, type Row, type Thumbs, thumbFrom } from "./figure";
 import { LESSONS, type Lesson, UNITS } from "./lessons/course";
 
-export const ROWS: readonly Row[] = [
+/** The figures of a paper, and where their small pictures are. */
+interface Paper extends Omit<Row, "figures"> {
+  thumbs: () => Promise<{ THUMBS: Thumbs }>;
+  figures: readonly Omit<Figure, "thumb">[];
+}
+
+const PAPERS: readonly Paper[] = [
   {
     id: "from-the-paper",
     name: "Figures",
@@ -14,6 +20,7 @@ export const ROWS: readonly Row[] = [
     title: "Shapes that turn into others",
     about:
       "The figures and the table of “Linear Fractal Shape Interpolation” by Brandon Burch and John C. Hart (Graphics Interface 1997), as pages in which everything moves. All of it is computed here, while you look.",
+    thumbs: () => import("./burch-hart/thumbs"),
     figures: [
       {
         id: "1",
@@ -22,7 +29,6 @@ export const ROWS: readonly Row[] = [
         title: "When is a shape proved to be in pieces?",
         about: "Barnsley’s test on a Cantor dust that closes at one half.",
         load: () => import("./burch-hart/figure-1/page"),
-        thumb: () => import("./burch-hart/figure-1/thumb"),
       },
       {
         id: "2",
@@ -31,7 +37,6 @@ export const ROWS: readonly Row[] = [
         title: "Connected, as far as pixels tell",
         about: "The index buffer: pixels collide, and a graph gains its edges.",
         load: () => import("./burch-hart/figure-2/page"),
-        thumb: () => import("./burch-hart/figure-2/thumb"),
       },
       {
         id: "3",
@@ -41,7 +46,6 @@ export const ROWS: readonly Row[] = [
         title: "Two ways to turn a map around",
         about: "Number by number a map collapses on the way; turned, it keeps its size.",
         load: () => import("./burch-hart/figures-3-and-4/page"),
-        thumb: () => import("./burch-hart/figures-3-and-4/thumb"),
       },
       {
         id: "5",
@@ -50,7 +54,6 @@ export const ROWS: readonly Row[] = [
         title: "The straight way from dragon to gasket",
         about: "A morph that nobody watches falls apart.",
         load: () => import("./burch-hart/figure-5/page"),
-        thumb: () => import("./burch-hart/figure-5/thumb"),
       },
       {
         id: "6",
@@ -59,7 +62,6 @@ export const ROWS: readonly Row[] = [
         title: "The way that holds together",
         about: "The same morph, led along a path on which the shape stays in one piece.",
         load: () => import("./burch-hart/figure-6/page"),
-        thumb: () => import("./burch-hart/figure-6/thumb"),
       },
       {
         id: "7",
@@ -68,7 +70,6 @@ export const ROWS: readonly Row[] = [
         title: "The map of all in‑betweens",
         about: "The connectedness locus, with both ways drawn on it.",
         load: () => import("./burch-hart/figure-7/page"),
-        thumb: () => import("./burch-hart/figure-7/thumb"),
       },
       {
         id: "table-1",
@@ -77,7 +78,6 @@ export const ROWS: readonly Row[] = [
         title: "How well do pixels tell?",
         about: "The index buffer measured at four resolutions, here and now.",
         load: () => import("./burch-hart/table-1/page"),
-        thumb: () => import("./burch-hart/table-1/thumb"),
       },
       {
         id: "section-7",
@@ -86,7 +86,6 @@ export const ROWS: readonly Row[] = [
         title: "Shapes made of one another",
         about: "A graph says which shape copies which, and two such graphs are morphed.",
         load: () => import("./burch-hart/section-7/page"),
-        thumb: () => import("./burch-hart/section-7/thumb"),
       },
     ],
   },
@@ -97,6 +96,7 @@ export const ROWS: readonly Row[] = [
     title: "Shapes that are bent at every scale",
     about:
       "The figures of “Fractal Deformation Using Displacement Vectors Based on Extended Iterated Shuffle Transformation” by Tadahiro Fujimoto, Yoshio Ohno, Kazunobu Muraoka and Norishige Chiba: pull a grid, and every part of the shape answers.",
+    thumbs: () => import("./fujimoto/thumbs"),
     figures: [
       {
         id: "d1",
@@ -105,7 +105,6 @@ export const ROWS: readonly Row[] = [
         title: "Every point has a code",
         about: "Letter by letter into a line and a square, each side cut in two or in three.",
         load: () => import("./fujimoto/figure-1/page"),
-        thumb: () => import("./fujimoto/figure-1/thumb"),
       },
       {
         id: "d2",
@@ -114,7 +113,6 @@ export const ROWS: readonly Row[] = [
         title: "Codes on a gasket",
         about: "The letters are its maps, and where pieces overlap a place has several codes.",
         load: () => import("./fujimoto/figure-2/page"),
-        thumb: () => import("./fujimoto/figure-2/thumb"),
       },
       {
         id: "d3",
@@ -123,7 +121,6 @@ export const ROWS: readonly Row[] = [
         title: "A picture, shuffled",
         about: "Letters in reverse order: what detail and locality do to colours.",
         load: () => import("./fujimoto/figure-3/page"),
-        thumb: () => import("./fujimoto/figure-3/thumb"),
       },
       {
         id: "d4",
@@ -132,7 +129,6 @@ export const ROWS: readonly Row[] = [
         title: "One pull, and every triangle answers",
         about: "The gasket bent in eight ways, and the slide from plain to fractal.",
         load: () => import("./fujimoto/figure-4/page"),
-        thumb: () => import("./fujimoto/figure-4/thumb"),
       },
       {
         id: "d5",
@@ -141,7 +137,6 @@ export const ROWS: readonly Row[] = [
         title: "A fern in the wind",
         about: "Every leaf sways about its own stem.",
         load: () => import("./fujimoto/figure-5/page"),
-        thumb: () => import("./fujimoto/figure-5/thumb"),
       },
       {
         id: "d6",
@@ -150,7 +145,6 @@ export const ROWS: readonly Row[] = [
         title: "A dragon that winds in its tips",
         about: "Drawn at one corner, with colours that tell which parts answer alike.",
         load: () => import("./fujimoto/figure-6/page"),
-        thumb: () => import("./fujimoto/figure-6/thumb"),
       },
       {
         id: "d53",
@@ -159,7 +153,6 @@ export const ROWS: readonly Row[] = [
         title: "A sponge, bent at every scale",
         about: "The same in space, with a lattice around the shape; and what a connected shuffle would need.",
         load: () => import("./fujimoto/section-5-3/page"),
-        thumb: () => import("./fujimoto/section-5-3/thumb"),
       },
     ],
   },
@@ -170,6 +163,7 @@ export const ROWS: readonly Row[] = [
     title: "Rough curves from a few maps",
     about:
       "The figures and tables of “On Approximating Rough Curves With Fractal Functions” by Wayne O. Cochran, John C. Hart and Patrick J. Flynn: functions made of copies of themselves, the search for their maps, and the outline of a leaf.",
+    thumbs: () => import("./cochran/thumbs"),
     figures: [
       {
         id: "c1",
@@ -178,7 +172,6 @@ export const ROWS: readonly Row[] = [
         title: "Through three points, as rough as you like",
         about: "Drag the points and turn the roughness: a curve made of two copies of itself.",
         load: () => import("./cochran/figure-1/page"),
-        thumb: () => import("./cochran/figure-1/thumb"),
       },
       {
         id: "c24",
@@ -187,7 +180,6 @@ export const ROWS: readonly Row[] = [
         title: "Curves that fold back",
         about: "Three points of the plane, and copies in which x and y answer to each other, or do not.",
         load: () => import("./cochran/section-2-4/page"),
-        thumb: () => import("./cochran/section-2-4/thumb"),
       },
       {
         id: "c2",
@@ -197,7 +189,6 @@ export const ROWS: readonly Row[] = [
         title: "A mountain range of ten numbers",
         about: "Two maps, and a step between them that no print shows.",
         load: () => import("./cochran/figure-2/page"),
-        thumb: () => import("./cochran/figure-2/thumb"),
       },
       {
         id: "ct2",
@@ -206,7 +197,6 @@ export const ROWS: readonly Row[] = [
         title: "Points that vote for their maps",
         about: "Millions of votes heap up over the two maps, and over their echoes.",
         load: () => import("./cochran/table-2/page"),
-        thumb: () => import("./cochran/table-2/thumb"),
       },
       {
         id: "c3",
@@ -215,7 +205,6 @@ export const ROWS: readonly Row[] = [
         title: "One curve in space, three shadows",
         about: "Turn a curve through a gasket, and see what its shadows hide.",
         load: () => import("./cochran/figure-3/page"),
-        thumb: () => import("./cochran/figure-3/thumb"),
       },
       {
         id: "c4",
@@ -224,7 +213,6 @@ export const ROWS: readonly Row[] = [
         title: "Rough, and no copy of itself",
         about: "The view from above: its middle third is the whole, its sides are not.",
         load: () => import("./cochran/figure-4/page"),
-        thumb: () => import("./cochran/figure-4/thumb"),
       },
       {
         id: "c5",
@@ -233,7 +221,6 @@ export const ROWS: readonly Row[] = [
         title: "Heaps of votes, seen from four sides",
         about: "A hundred clusters in a space of five dimensions that is nearly flat.",
         load: () => import("./cochran/figure-5/page"),
-        thumb: () => import("./cochran/figure-5/thumb"),
       },
       {
         id: "c6",
@@ -243,7 +230,6 @@ export const ROWS: readonly Row[] = [
         title: "Seven maps, or eleven",
         about: "Parts that copy parts, how far they are off, and an open question answered.",
         load: () => import("./cochran/figure-6/page"),
-        thumb: () => import("./cochran/figure-6/thumb"),
       },
       {
         id: "c7",
@@ -252,7 +238,6 @@ export const ROWS: readonly Row[] = [
         title: "A leaf in few numbers",
         about: "The paper’s fits with their gaps, and a closed curve of as many numbers.",
         load: () => import("./cochran/figure-7/page"),
-        thumb: () => import("./cochran/figure-7/thumb"),
       },
       {
         id: "c43",
@@ -261,7 +246,6 @@ export const ROWS: readonly Row[] = [
         title: "From pixels to maps, step by step",
         about: "A bitmap, its boundary, 261 points, and two fits: every step of the paper’s way to its leaf.",
         load: () => import("./cochran/figure-7-steps/page"),
-        thumb: () => import("./cochran/figure-7-steps/thumb"),
       },
     ],
   },
@@ -272,6 +256,7 @@ export const ROWS: readonly Row[] = [
     title: "Shapes in space, moved by their parameters",
     about:
       "The figures of “IFS Fractal Animation” by Nevin M. Darwish and Reda Abd-El-Wahab, as printed, or rebuilt where their print is cut off: to turn a shape is to turn its maps, and each frame is a set of parameters.",
+    thumbs: () => import("./darwish/thumbs"),
     figures: [
       {
         id: "s1",
@@ -280,7 +265,6 @@ export const ROWS: readonly Row[] = [
         title: "A triangle in space",
         about: "Three maps, and two sets of parameters for one picture.",
         load: () => import("./darwish/figure-i/page"),
-        thumb: () => import("./darwish/figure-i/thumb"),
       },
       {
         id: "s2",
@@ -289,7 +273,6 @@ export const ROWS: readonly Row[] = [
         title: "Turned by its parameters",
         about: "No point is turned: the three maps are, and the picture is the same.",
         load: () => import("./darwish/figure-ii/page"),
-        thumb: () => import("./darwish/figure-ii/thumb"),
       },
       {
         id: "s3",
@@ -298,7 +281,6 @@ export const ROWS: readonly Row[] = [
         title: "Carried before the eye",
         about: "The eye stays at the origin, and translations say where a map stands.",
         load: () => import("./darwish/figure-iii/page"),
-        thumb: () => import("./darwish/figure-iii/thumb"),
       },
       {
         id: "s4",
@@ -307,7 +289,6 @@ export const ROWS: readonly Row[] = [
         title: "Turned ten thousand times",
         about: "The triangle that is printed whole; turned again and again, how far does rounding get?",
         load: () => import("./darwish/figure-iv/page"),
-        thumb: () => import("./darwish/figure-iv/thumb"),
       },
       {
         id: "s5",
@@ -316,7 +297,6 @@ export const ROWS: readonly Row[] = [
         title: "A pyramid of five small ones",
         about: "Thirty units before the eye, as its print says, or as near as you like.",
         load: () => import("./darwish/figure-v/page"),
-        thumb: () => import("./darwish/figure-v/thumb"),
       },
       {
         id: "s6",
@@ -325,7 +305,6 @@ export const ROWS: readonly Row[] = [
         title: "The pyramid, turned",
         about: "About itself, or about the eye, which loses sight of it.",
         load: () => import("./darwish/figure-vi/page"),
-        thumb: () => import("./darwish/figure-vi/thumb"),
       },
       {
         id: "s7",
@@ -334,7 +313,6 @@ export const ROWS: readonly Row[] = [
         title: "A landscape of parameters",
         about: "Ground, trees and clouds, each a list of maps, seen from the origin.",
         load: () => import("./darwish/figure-vii/page"),
-        thumb: () => import("./darwish/figure-vii/thumb"),
       },
       {
         id: "s8",
@@ -343,7 +321,6 @@ export const ROWS: readonly Row[] = [
         title: "The world turns",
         about: "One transform on the parameters of every object, and the eye stays where it is.",
         load: () => import("./darwish/figure-viii/page"),
-        thumb: () => import("./darwish/figure-viii/thumb"),
       },
       {
         id: "s34",
@@ -352,7 +329,6 @@ export const ROWS: readonly Row[] = [
         title: "One formula for every move",
         about: "Drag a shape of the plane: none of its points is moved, all of its parameters are.",
         load: () => import("./darwish/section-3-4/page"),
-        thumb: () => import("./darwish/section-3-4/thumb"),
       },
       {
         id: "s35",
@@ -361,7 +337,6 @@ export const ROWS: readonly Row[] = [
         title: "A shadow that costs infinity",
         about: "Flatten a shape by ε, and watch which of its numbers run away.",
         load: () => import("./darwish/section-3-5/page"),
-        thumb: () => import("./darwish/section-3-5/thumb"),
       },
       {
         id: "s9",
@@ -370,7 +345,6 @@ export const ROWS: readonly Row[] = [
         title: "The open question",
         about: "Is what two fractals share a fractal again? Once it is, and once it is proved not to be.",
         load: () => import("./darwish/open-question/page"),
-        thumb: () => import("./darwish/open-question/thumb"),
       },
       {
         id: "s10",
@@ -379,11 +353,15 @@ export const ROWS: readonly Row[] = [
         title: "What two shapes of one grid share",
         about: "Slide one over the other by a fraction: what they share is made of a few kinds of pieces.",
         load: () => import("./darwish/shared-grid/page"),
-        thumb: () => import("./darwish/shared-grid/thumb"),
       },
     ],
   },
 ];
+
+export const ROWS: readonly Row[] = PAPERS.map(({ thumbs, figures, ...row }) => ({
+  ...row,
+  figures: figures.map((figure) => ({ ...figure, thumb: () => thumbFrom(thumbs(), figure.id) })),
+}));
 
 /** Where an address leads: one of a row of figures, or of a unit of the course. */
 export function find(id: string): { row: Row; figure: Figure } | null {

@@ -1,7 +1,7 @@
-/** Fetches what a figure's folder holds, with what that needs. */
+/** Fetches the page of a figure or its small picture, with what that needs. */
 import type { ComponentType } from "preact";
 import { once } from "#wasm/module";
-import type { Figure, PageModule, ThumbModule } from "./figure";
+import type { Figure, PageModule, SmallPicture } from "./figure";
 import type { Heading } from "./kit/frame/frame";
 
 const pages = new Map<Figure, () => Promise<ComponentType<Heading>>>();
@@ -17,9 +17,9 @@ export async function thumbOf(figure: Figure): Promise<ComponentType> {
   return (await ready(figure.thumb())).Thumb;
 }
 
-/** A module, once all is there that it needs. */
-async function ready<T extends PageModule | ThumbModule>(module: Promise<T>): Promise<T> {
-  const { needs = [] } = await module;
+/** A page or a small picture, once all is there that it needs. */
+async function ready<T extends PageModule | SmallPicture>(fetched: Promise<T>): Promise<T> {
+  const { needs = [] } = await fetched;
   await Promise.all(needs.map((load) => load()));
-  return module;
+  return fetched;
 }

@@ -1,8 +1,8 @@
 /**
- * The course: its units and their lessons, in order. A new lesson is a folder with its `page.tsx` and its `thumb.tsx`,
- * and an entry here: its number follows from its place. Addresses (`#learn/e7`) stay as they were given out.
+ * The course: its units and their lessons, in order. A new lesson is a folder with its `page.tsx`, an entry here, and
+ * one in `thumbs.tsx`: its number follows from its place. Addresses (`#learn/e7`) stay as they were given out.
  */
-import type { Figure, Row } from "../figure";
+import { type Figure, type Row, thumbFrom } from "../figure";
 
 export interface Lesson extends Figure {
   /** How long it takes, about. */
@@ -20,7 +20,7 @@ export interface Unit extends Row {
   figures: readonly Lesson[];
 }
 
-interface LessonEntry extends Omit<Figure, "number" | "short" | "also"> {
+interface LessonEntry extends Omit<Figure, "number" | "short" | "also" | "thumb"> {
   minutes: number;
   words: string;
   after?: readonly string[];
@@ -48,7 +48,6 @@ const COURSE: readonly UnitEntry[] = [
         minutes: 5,
         words: "Sierpinski gasket triangle, Hutchinson operator, attractor, iterate, photograph",
         load: () => import("./lesson-12/page"),
-        thumb: () => import("./lesson-12/thumb"),
       },
       {
         id: "e13",
@@ -58,7 +57,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "Barnsley fern, leaf, plant, affine map, matrix",
         after: ["e12"],
         load: () => import("./lesson-13/page"),
-        thumb: () => import("./lesson-13/thumb"),
       },
       {
         id: "e14",
@@ -68,7 +66,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "contraction, contractive, scale factor, fixed point, Banach, limit, converge, power",
         after: ["e12"],
         load: () => import("./lesson-14/page"),
-        thumb: () => import("./lesson-14/thumb"),
       },
     ],
   },
@@ -84,7 +81,6 @@ const COURSE: readonly UnitEntry[] = [
         minutes: 5,
         words: "Sierpinski gasket triangle, random, chance, dice, probability, Barnsley",
         load: () => import("./lesson-2/page"),
-        thumb: () => import("./lesson-2/thumb"),
       },
       {
         id: "e16",
@@ -95,7 +91,6 @@ const COURSE: readonly UnitEntry[] = [
         after: ["e2"],
         figures: ["d1", "d2"],
         load: () => import("./lesson-16/page"),
-        thumb: () => import("./lesson-16/thumb"),
       },
       {
         id: "e31",
@@ -105,7 +100,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "game, target, chaos game, address, digits, orbit, inverse map, Devaney",
         after: ["e2", "e16"],
         load: () => import("./lesson-31/page"),
-        thumb: () => import("./lesson-31/thumb"),
       },
       {
         id: "e15",
@@ -115,7 +109,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "weight, probability, chance, measure, density, fern, Elton",
         after: ["e2"],
         load: () => import("./lesson-15/page"),
-        thumb: () => import("./lesson-15/thumb"),
       },
     ],
   },
@@ -131,7 +124,6 @@ const COURSE: readonly UnitEntry[] = [
         minutes: 5,
         words: "gasket, connected, one piece, falls apart, gap, common point, lens, zoom, Hata",
         load: () => import("./lesson-1/page"),
-        thumb: () => import("./lesson-1/thumb"),
       },
       {
         id: "e5",
@@ -142,7 +134,6 @@ const COURSE: readonly UnitEntry[] = [
         after: ["e1"],
         figures: ["2", "table-1"],
         load: () => import("./lesson-5/page"),
-        thumb: () => import("./lesson-5/thumb"),
       },
     ],
   },
@@ -162,7 +153,6 @@ const COURSE: readonly UnitEntry[] = [
         after: ["e1"],
         figures: ["2"],
         load: () => import("./lesson-3/page"),
-        thumb: () => import("./lesson-3/thumb"),
       },
       {
         id: "e9",
@@ -172,7 +162,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "gap, spanning tree, distance, bottleneck, one piece, in pieces, apart",
         after: ["e3"],
         load: () => import("./lesson-9/page"),
-        thumb: () => import("./lesson-9/thumb"),
       },
     ],
   },
@@ -189,7 +178,6 @@ const COURSE: readonly UnitEntry[] = [
         words:
           "box counting, fractal dimension, Moran, Hausdorff, gasket, carpet, Cantor dust, logarithm, power",
         load: () => import("./lesson-17/page"),
-        thumb: () => import("./lesson-17/thumb"),
       },
       {
         id: "e18",
@@ -200,7 +188,6 @@ const COURSE: readonly UnitEntry[] = [
         after: ["e17"],
         figures: ["c1"],
         load: () => import("./lesson-18/page"),
-        thumb: () => import("./lesson-18/thumb"),
       },
       {
         id: "e29",
@@ -211,7 +198,6 @@ const COURSE: readonly UnitEntry[] = [
         after: ["e18"],
         figures: ["c1"],
         load: () => import("./lesson-29/page"),
-        thumb: () => import("./lesson-29/thumb"),
       },
     ],
   },
@@ -228,7 +214,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "polar decomposition, rotation, matrix, determinant, interpolation, angle, morph",
         figures: ["3"],
         load: () => import("./lesson-6/page"),
-        thumb: () => import("./lesson-6/thumb"),
       },
       {
         id: "e10",
@@ -238,7 +223,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "correspondence, matching, permutation, morph, dragon, falls apart",
         after: ["e6"],
         load: () => import("./lesson-10/page"),
-        thumb: () => import("./lesson-10/thumb"),
       },
     ],
   },
@@ -256,7 +240,6 @@ const COURSE: readonly UnitEntry[] = [
         after: ["e1"],
         figures: ["7"],
         load: () => import("./lesson-20/page"),
-        thumb: () => import("./lesson-20/thumb"),
       },
       {
         id: "e7",
@@ -267,7 +250,6 @@ const COURSE: readonly UnitEntry[] = [
         after: ["e6"],
         figures: ["5", "6", "7"],
         load: () => import("./lesson-7/page"),
-        thumb: () => import("./lesson-7/thumb"),
       },
     ],
   },
@@ -284,7 +266,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "Mandelbrot, complex number, Barnsley Harrington, dust, twin-dragon, connectedness locus",
         after: ["e1"],
         load: () => import("./lesson-8/page"),
-        thumb: () => import("./lesson-8/thumb"),
       },
       {
         id: "e26",
@@ -294,7 +275,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "dimension, Moran, complex number, area, inequality, bound",
         after: ["e17", "e8"],
         load: () => import("./lesson-26/page"),
-        thumb: () => import("./lesson-26/thumb"),
       },
       {
         id: "e25",
@@ -304,7 +284,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "complex number, angle, circle, boundary, twin-dragon",
         after: ["e8"],
         load: () => import("./lesson-25/page"),
-        thumb: () => import("./lesson-25/thumb"),
       },
     ],
   },
@@ -322,7 +301,6 @@ const COURSE: readonly UnitEntry[] = [
         after: ["e1", "e3"],
         figures: ["1"],
         load: () => import("./lesson-4/page"),
-        thumb: () => import("./lesson-4/thumb"),
       },
       {
         id: "e21",
@@ -332,7 +310,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "proof, trap, Jordan curve theorem, crossing, topology",
         after: ["e1"],
         load: () => import("./lesson-21/page"),
-        thumb: () => import("./lesson-21/thumb"),
       },
       {
         id: "e30",
@@ -342,7 +319,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "norm, metric, contraction, joint spectral radius, linear map, shear, Rota Strang, eigenvalue",
         after: ["e14"],
         load: () => import("./lesson-30/page"),
-        thumb: () => import("./lesson-30/thumb"),
       },
     ],
   },
@@ -359,7 +335,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "deformation, shuffle, address, code, grid, displacement",
         figures: ["d4"],
         load: () => import("./lesson-11/page"),
-        thumb: () => import("./lesson-11/thumb"),
       },
       {
         id: "e22",
@@ -370,7 +345,6 @@ const COURSE: readonly UnitEntry[] = [
         after: ["e11"],
         figures: ["d4"],
         load: () => import("./lesson-22/page"),
-        thumb: () => import("./lesson-22/thumb"),
       },
     ],
   },
@@ -388,7 +362,6 @@ const COURSE: readonly UnitEntry[] = [
         after: ["e12"],
         figures: ["c7"],
         load: () => import("./lesson-23/page"),
-        thumb: () => import("./lesson-23/thumb"),
       },
       {
         id: "e27",
@@ -398,7 +371,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "compression, rounding, digits, bytes, error, geometric series",
         after: ["e23"],
         load: () => import("./lesson-27/page"),
-        thumb: () => import("./lesson-27/thumb"),
       },
     ],
   },
@@ -415,7 +387,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "Menger sponge, tetrahedron, projection, 3D, solid, cube, hexagon",
         figures: ["s35"],
         load: () => import("./lesson-24/page"),
-        thumb: () => import("./lesson-24/thumb"),
       },
       {
         id: "e28",
@@ -425,7 +396,6 @@ const COURSE: readonly UnitEntry[] = [
         words: "rotation, conjugate, matrix, tetrahedron, 3D, solid, move",
         figures: ["s2"],
         load: () => import("./lesson-28/page"),
-        thumb: () => import("./lesson-28/thumb"),
       },
     ],
   },
@@ -448,7 +418,14 @@ function numbered(course: readonly UnitEntry[]): Unit[] {
       about,
       figures: lessons.map(({ after = [], figures = [], ...lesson }) => {
         number++;
-        return { ...lesson, after, figures, number: `Lesson ${number}`, short: String(number) };
+        return {
+          ...lesson,
+          after,
+          figures,
+          number: `Lesson ${number}`,
+          short: String(number),
+          thumb: () => thumbFrom(import("./thumbs"), lesson.id),
+        };
       }),
     }));
 }

@@ -17,17 +17,8 @@ import { Grip } from "../figure-1/grip";
 import { rangeOf } from "../graphs/graphs";
 import { PlaneMapTable } from "../graphs/plane-map-table";
 import { Profile } from "../graphs/profile";
-import { apart, curveThrough, drawn, type Factor, type Place, wordOf } from "./plane-curve";
+import { apart, curveThrough, drawn, FACTORS, type Factor, PLACES, type Place, wordOf } from "./plane-curve";
 
-export const PLACES: readonly Place[] = [
-  [0, 0],
-  [0.5, 0.45],
-  [1, 0],
-];
-export const FACTORS: readonly Factor[] = [
-  [0.5, 0.45, 0.45, -0.5],
-  [0.5, -0.45, -0.45, -0.5],
-];
 const [LOW, HIGH] = [-1, 2];
 /** What a factor may say; whether it shrinks hangs on all four. */
 const MOST = 0.95;

@@ -7,6 +7,17 @@ import { rough } from "#wasm/curve";
 export type Factor = readonly [cx: number, cxy: number, cyx: number, cy: number];
 export type Place = readonly [x: number, y: number];
 
+/** The points and the factors that the page begins with. */
+export const PLACES: readonly Place[] = [
+  [0, 0],
+  [0.5, 0.45],
+  [1, 0],
+];
+export const FACTORS: readonly Factor[] = [
+  [0.5, 0.45, 0.45, -0.5],
+  [0.5, -0.45, -0.45, -0.5],
+];
+
 /** The t of the three points. */
 export const TIMES = [0, 0.5, 1] as const;
 

@@ -1,6 +1,0 @@
-import { barnsley } from "../../kit/connectedness/barnsley";
-import { Rows } from "../../kit/connectedness/barnsley-rows";
-
-export function Thumb() {
-  return <Rows rounds={barnsley(0.49, 6)} r={0.49} bare />;
-}
