@@ -131,7 +131,7 @@ const FOR_PROGRAMS: readonly (readonly [where: string, text: RegExp])[] = [
   ["tools/space/", /^(bend (size|move)|space key)$/],
   ["tools/fit/", /^(drag|keys) (factor|knot|point)$/],
   // Data of a file, and a symbol.
-  ["tools/fit/files.ts", /^collage /],
+  ["tools/fit/save.ts", /^collage /],
   ["tools/fit/panel/facts.tsx", /^dD$/],
   // A page that shows all widgets to developers.
   ["ui/widgets/", /./],

@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
+import { toWord } from "#tools/fit/plane/model/curve";
 import { EXAMPLES } from "#tools/fit/plane/model/examples";
-import { toWord } from "#tools/fit/plane/model/word";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { Choice, SliderControl } from "../../kit/frame/control";

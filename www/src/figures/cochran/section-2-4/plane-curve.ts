@@ -1,6 +1,6 @@
 /** A curve through three points of the plane, made of two copies of itself (Cochran, Hart & Flynn, section 2.4). */
 import { wordsOf } from "#document/notice";
-import { toWord } from "#tools/fit/plane/model/word";
+import { toWord } from "#tools/fit/plane/model/curve";
 import type { PlaneGraph } from "#wasm/api";
 import { rough } from "#wasm/curve";
 

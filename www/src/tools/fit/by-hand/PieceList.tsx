@@ -2,9 +2,9 @@ import { computed } from "@preact/signals";
 import type { VNode } from "preact";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
+import { Select } from "#ui/controls/Select";
 import css from "../graph/graph.module.css";
 import * as messages from "../messages";
-import { IndexSelect } from "./IndexSelect";
 
 /** Up to here all pieces have a row; beyond, the chosen one has. */
 const ALL = 12;
@@ -61,5 +61,59 @@ export function PieceNumber({
     >
       {piece + 1}
     </button>
+  );
+}
+
+interface IndexSelectProps {
+  /** What is chosen, where no label element says it. */
+  label?: string;
+  id?: string;
+  value: number;
+  count: number;
+  onChange: (index: number) => void;
+}
+
+/** One of so many, by its number; the first is 1. */
+export function IndexSelect({ label, id, value, count, onChange }: IndexSelectProps) {
+  return (
+    <Select
+      id={id}
+      aria-label={label}
+      value={value}
+      onChange={(event) => onChange(Number(event.currentTarget.value))}
+    >
+      {Array.from({ length: count }, (_, i) => (
+        <option key={i} value={i}>
+          {i + 1}
+        </option>
+      ))}
+    </Select>
+  );
+}
+
+interface CopiedSpanProps {
+  piece: number;
+  /** From which point to which, by their places. */
+  span: readonly [number, number];
+  /** Of how many points. */
+  count: number;
+  onChange: (end: 0 | 1, point: number) => void;
+}
+
+/** What a piece copies: from point to point. */
+export function CopiedSpan({ piece, span, count, onChange }: CopiedSpanProps) {
+  return (
+    <p class={css["piece-domain"]}>
+      <span class="row-name">{messages.copiesFromPoint}</span>
+      {([0, 1] as const).map((end) => (
+        <IndexSelect
+          key={end}
+          label={messages.copiedEnd(piece + 1, end !== 0)}
+          value={span[end]}
+          count={count}
+          onChange={(point) => onChange(end, point)}
+        />
+      ))}
+    </p>
   );
 }

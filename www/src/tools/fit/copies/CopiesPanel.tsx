@@ -3,8 +3,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { SliderField } from "#ui/controls/SliderField";
 import { Switch } from "#ui/controls/Switch";
 import * as messages from "../messages";
-import { choose, chosen, copies, copiesShown, MOST_STEPS, steps } from "./copies";
-import { copyWords, stepWords } from "./words";
+import { choose, chosen, copies, copiesShown, copyWords, MOST_STEPS, steps, stepWords } from "./copies";
 
 /** What the fit is made of: which edge is which arc, and how the curve grows out of its knots. */
 export function CopiesPanel() {

@@ -5,10 +5,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
 import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
-import { CopiedSpan } from "../by-hand/CopiedSpan";
-import { IndexSelect } from "../by-hand/IndexSelect";
-import { colourOf, PieceList, PieceNumber } from "../by-hand/PieceList";
-import { DomainFields } from "./DomainFields";
+import { CopiedSpan, colourOf, IndexSelect, PieceList, PieceNumber } from "../by-hand/PieceList";
 import css from "./graph.module.css";
 import * as messages from "./messages";
 import {
@@ -25,6 +22,7 @@ import {
   take,
   value,
 } from "./model/document";
+import { KINDS } from "./model/graph-text";
 import {
   interval,
   type Kind,
@@ -36,7 +34,6 @@ import {
   withoutKnot,
   withPart,
 } from "./model/model";
-import { KINDS } from "./model/words";
 
 /** What the graph is made of. */
 export function FunctionSection() {
@@ -261,5 +258,35 @@ function FactList() {
         </div>
       ))}
     </dl>
+  );
+}
+
+interface DomainFieldsProps {
+  domain: readonly [from: number, to: number];
+  /** Where all of the graph lies. */
+  within: readonly [from: number, to: number];
+  /** Takes one end, or says why it cannot be. */
+  onChange: (end: 0 | 1, t: number) => string | undefined;
+  onDone?: () => void;
+}
+
+/** The part of a graph that a piece copies. */
+export function DomainFields({ domain, within: [from, to], onChange, onDone = () => {} }: DomainFieldsProps) {
+  return (
+    <div class={css["piece-domain"]}>
+      {([0, 1] as const).map((end) => (
+        <NumberField
+          key={end}
+          label={end === 0 ? messages.copiesFrom : messages.to}
+          symbol={end === 0 ? "α" : "β"}
+          value={domain[end]}
+          min={from}
+          max={to}
+          step={0.01 * (to - from)}
+          onChange={(t) => onChange(end, t)}
+          onDone={onDone}
+        />
+      ))}
+    </div>
   );
 }

@@ -3,6 +3,7 @@ import { curveBoxAt } from "#document/curve/curve";
 import type { Use } from "#document/fit";
 import { type KeptFit, MOST_FITS, MOST_PIXELS } from "#document/kept/fits";
 import { LONGEST_NAME } from "#document/kept/rows";
+import { percent } from "#format/nearness";
 import { whenWords } from "#format/when";
 import { curveThumb } from "#stage/curve/thumb";
 import { stageStyle } from "#stage/picture-style";
@@ -10,12 +11,13 @@ import { Button } from "#ui/controls/Button";
 import { KeptRow, KeptRows } from "#ui/kept/KeptRow";
 import { Menu } from "#ui/overlay/Menu";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
-import type { Curve } from "#wasm/api";
+import type { Curve, Fit } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import fitCss from "../fit.module.css";
 import * as messages from "../messages";
 import { cutting } from "../stage/layers";
 import { bendPhotograph, takeKept } from "../use";
+import { numbersOf } from "../work/outline";
 import {
   canKeep,
   fitOf,
@@ -29,7 +31,6 @@ import {
   rows,
   trouble,
 } from "./shelf";
-import { aboutWords } from "./words";
 
 const ABOUT = messages.keptFits(MOST_FITS, MOST_PIXELS);
 
@@ -167,4 +168,13 @@ function useThumb(curve: Curve | null): ImageBitmap | null {
       return null;
     }
   }, [curve, palette]);
+}
+
+/** How near a fit is and what it takes. */
+function aboutWords({ rms, bytes }: Pick<KeptFit, "rms" | "bytes">, { curve }: Fit): string {
+  const parts = [
+    ...(curve ? [messages.numbers(numbersOf(curve.curve))] : []),
+    messages.bytes(bytes.toLocaleString("en-GB")),
+  ];
+  return (rms === null ? parts : [messages.error(percent(rms)), ...parts]).join(" · ");
 }

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { framed, frameOfSize } from "../work/frame";
+import { framed, frameOfSize } from "../work/source";
 import { cropOf } from "./photograph";
 
 it("cuts a picture around a leaf, and knows where that lies in the plane", () => {

@@ -2,9 +2,8 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { type KeptPhotograph, MOST_PIXELS } from "#document/kept/fits";
 import type { Box } from "#geometry/boxes";
-import { boxOf, frameOfSize } from "../work/frame";
 import { raw } from "../work/outline";
-import { opened, source } from "../work/source";
+import { boxOf, frameOfSize, opened, source } from "../work/source";
 
 /** Left around the leaf, in parts of its longer side. */
 const EDGE = 0.04;

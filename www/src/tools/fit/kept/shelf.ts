@@ -9,10 +9,9 @@ import type { CurveShape, Fit } from "#wasm/api";
 import { frond } from "#wasm/core";
 import * as messages from "../messages";
 import { openFit, shapeOf, shownFigures } from "../work/fitting";
-import { plainName } from "../work/name";
 import { raw } from "../work/outline";
 import { running } from "../work/progress";
-import { source } from "../work/source";
+import { plainName, source } from "../work/source";
 import { withinDone } from "../work/within";
 import { croppedPhotograph } from "./photograph";
 

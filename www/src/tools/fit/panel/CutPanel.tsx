@@ -5,7 +5,7 @@ import { SliderField } from "#ui/controls/SliderField";
 import { SliderMark } from "#ui/controls/SliderMarks";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
-import type { Component } from "#workers/fit/trace-types";
+import type { Component, TraceWarning } from "#workers/fit/trace-types";
 import fitCss from "../fit.module.css";
 import { brushSize, exact, type Hand, hand } from "../stage/brush";
 import { step } from "../stage/layers";
@@ -27,7 +27,6 @@ import {
 } from "../work/mask";
 import { former, opened, takeFormer } from "../work/source";
 import { type Quarters, turnPicture } from "../work/turn";
-import { bringBackWords } from "./bring-back";
 import * as messages from "./messages";
 
 /** Between a picture and its outline: the mask and what mends it. */
@@ -304,4 +303,13 @@ function PartDrawing({
     }
   };
   return <canvas ref={draw} class={fitCss["part-drawing"]} width={SIDE} height={SIDE} />;
+}
+
+/**
+ * What has to be done first where a stroke is to bring back what surrounds the picture, as the warning itself tells: a
+ * stroke of exactly what is painted brings back no more than that.
+ */
+export function bringBackWords(warnings: readonly TraceWarning[], exact: boolean): string | null {
+  if (!exact || !warnings.some(({ code }) => code === "surrounded")) return null;
+  return messages.turnOffDoNot;
 }

@@ -3,11 +3,16 @@ import { FileButton } from "#ui/files/FileButton";
 import type { Grown } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
 import { ToShelf } from "../kept/KeptPanel";
-import { takeSeries } from "../series";
+import { takeSeries } from "../open";
 import { prepared, SEEDS } from "../work/outline";
 import { former, type Source, source, takeFile, takeFormer, takeSource } from "../work/source";
-import { ACCEPT, READS } from "./formats";
 import * as messages from "./messages";
+
+/** What can be chosen, dropped or pasted: for the file dialog, and in words. */
+export const ACCEPT =
+  "image/png,image/jpeg,image/webp,image/avif,image/gif,image/bmp,image/svg+xml,.svg,.csv,.tsv,.txt,.tps,.json,.geojson,.topojson,text/csv,application/json,application/geo+json";
+
+export const READS = messages.reads;
 
 const take = (file: File) => void takeFile(file, file.name, takeSeries);
 

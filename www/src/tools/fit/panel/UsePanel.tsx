@@ -7,10 +7,9 @@ import { cutting } from "../stage/layers";
 import { bendPhotograph, fernFit, shownShape, use, waiting } from "../use";
 import { shownFigures, shownFit } from "../work/fitting";
 import { changeMask } from "../work/mask";
-import { plainName } from "../work/name";
 import { running } from "../work/progress";
-import { source } from "../work/source";
-import { stalk } from "../work/stalked";
+import { plainName, source } from "../work/source";
+import { stalk } from "../work/stalk";
 import { shownWithin, withinDone } from "../work/within";
 import * as messages from "./messages";
 

@@ -4,7 +4,7 @@ import { percent } from "#format/nearness";
 import { fixed } from "#format/numbers";
 import type { FitFigures } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
-import { signed } from "../words";
+import { signed } from "../fit-text";
 import * as messages from "./messages";
 
 export function Fact({ name, children }: { name: string; children: string | number }) {

@@ -3,15 +3,15 @@ import { formatNumber } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Select } from "#ui/controls/Select";
-import { IndexSelect } from "../by-hand/IndexSelect";
+import { IndexSelect } from "../by-hand/PieceList";
 import graphCss from "../graph/graph.module.css";
 import * as messages from "../messages";
-import { type Place, withoutPoint, withPlace, withTime } from "./model/curve";
+import { MOST_MAPS, type Place, plainMaps, withoutPoint, withPlace, withTime } from "./model/curve";
 import { change, chosenPoint, curve, maps, problem } from "./model/document";
 import { EXAMPLES } from "./model/examples";
 import { Pieces } from "./Pieces";
 import css from "./plane.module.css";
-import { UseSection } from "./UseSection";
+import { outlineOf, systemOf, takeOutline, takeSystem } from "./use";
 
 /** A curve of the plane by hand. */
 export function PlanePanel() {
@@ -122,5 +122,39 @@ function Facts() {
         <dd class="number">{s === undefined ? "–" : formatNumber(s, 4)}</dd>
       </div>
     </dl>
+  );
+}
+
+/** Where the curve goes from here. */
+function UseSection() {
+  const now = maps.value;
+  const plain = now && plainMaps(now);
+  const rows = plain && plain.length <= MOST_MAPS ? plain : null;
+  const take = (to: "a" | "b" | "bent") => {
+    const system = systemOf();
+    if (system) takeSystem(system, to);
+    else {
+      const outline = outlineOf();
+      if (outline) takeOutline(outline, to);
+    }
+  };
+  return (
+    <section class="stack" aria-label={messages.use}>
+      <div class="section-head">
+        <h2>{messages.use}</h2>
+      </div>
+      <div class="row">
+        <Button kind="primary" icon="arrow" disabled={!now} onClick={() => take("a")}>
+          {messages.useAs}
+        </Button>
+        <Button disabled={!now} description={messages.becomesLastShapeMorph} onClick={() => take("b")}>
+          {messages.useAsB}
+        </Button>
+        <Button disabled={!now} onClick={() => take("bent")}>
+          {messages.deform}
+        </Button>
+      </div>
+      <p class="hint">{rows ? messages.attractorOf(rows.length) : messages.mapsNeedTBesides}</p>
+    </section>
   );
 }

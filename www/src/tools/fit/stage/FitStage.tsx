@@ -6,14 +6,13 @@ import { GREY } from "#style/colours";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/controls/Button";
 import fitCss from "../fit.module.css";
+import { statusWords } from "../fit-text";
 import * as messages from "../messages";
-import { statusWords } from "../words";
 import { brushKey, brushKeyUp, endStroke, painting } from "./brush";
 import { effectiveView, fitStage, stageSize, view, watchCamera, zoom } from "./camera";
-import { type Colours, paint } from "./draw";
+import { type Colours, dropVeil, paint } from "./draw";
 import { attachGestures, stageKey } from "./gestures";
 import { sight } from "./sight";
-import { dropVeil } from "./veil";
 
 const LABEL = messages.outlineAndFitArrow;
 

@@ -1,6 +1,7 @@
 import "#ui/strip/strip.css";
 import { bytesOf, changeFit, fitDocument, withBytes } from "#document/fit";
 import { endGesture } from "#document/scene";
+import { HoldButton } from "#ui/controls/HoldButton";
 import { NumberField } from "#ui/controls/NumberField";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
@@ -19,8 +20,8 @@ import {
   numbersAt,
   placeOf,
 } from "../numbers";
+import { comparing } from "../stage/layers";
 import { collageOptions, LEAST_NUMBERS, MOST_NUMBERS } from "../work/fitting";
-import { CompareButton } from "./CompareButton";
 import { Layers } from "./Layers";
 
 /** The one slider: how many numbers; and what is looked at. */
@@ -152,5 +153,14 @@ function Maps() {
         onChange={(place) => change(Math.round(2 ** place))}
       />
     </div>
+  );
+}
+
+/** While it is held, the outline is seen without the fit. */
+function CompareButton() {
+  return (
+    <HoldButton held={comparing} title={messages.holdToSeeOutline} command="compare">
+      {messages.holdToCompare}
+    </HoldButton>
   );
 }

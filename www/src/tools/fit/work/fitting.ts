@@ -11,11 +11,9 @@ import { fitTask } from "#workers/fit/client";
 import type { Collage, CollageOptions, FitFigures, Method, PreparedOutline, Rival } from "#workers/fit/curve";
 import { isStopped, Latest } from "#workers/lanes/latest";
 import * as messages from "../messages";
-import { reached, sameCurve } from "../same-curve";
-import { plainName } from "./name";
-import { polylineOf, prepared, ready, SEEDS, upToDate } from "./outline";
+import { polylineOf, prepared, reached, ready, SEEDS, sameCurve, upToDate } from "./outline";
 import { cancelled, fail, problem, running, watched } from "./progress";
-import { former, type Origin, type Source, source, takeFormer, takeSource } from "./source";
+import { former, type Origin, plainName, type Source, source, takeFormer, takeSource } from "./source";
 import { cameFrom, fitWithin, keepReached, sourceOf } from "./within";
 
 export const LEAST_NUMBERS = 12;

@@ -5,9 +5,8 @@ import { fitTask } from "#workers/fit/client";
 import type { Component, Masked, Stroke, TraceWarning } from "#workers/fit/trace-types";
 import { InTurn, isStopped } from "#workers/lanes/latest";
 import * as messages from "../messages";
-import { framed, frameOfSize } from "./frame";
 import { type NearPart, nearPart } from "./near-part";
-import { opened, PICTURE_LANE } from "./source";
+import { framed, frameOfSize, opened, PICTURE_LANE } from "./source";
 
 export interface Settings {
   /** -1 to 1; 0 is what was found by itself. */

@@ -1,4 +1,5 @@
 /** The outline that is fitted: of the source, in units of the plane, smoothed as the document says. */
+
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { fitDocument } from "#document/fit";
 import { notify, wordsOf } from "#document/notice";
@@ -8,9 +9,19 @@ import { fitTask } from "#workers/fit/client";
 import type { PreparedOutline } from "#workers/fit/curve";
 import { InTurn, isStopped } from "#workers/lanes/latest";
 import * as messages from "../messages";
-import { boxOf, framed, frameOfPoints, frameOfSize, PLAIN } from "./frame";
 import { traced } from "./mask";
-import { chooseOutline, former, type Source, source, takeFormer } from "./source";
+import {
+  boxOf,
+  chooseOutline,
+  former,
+  framed,
+  frameOfPoints,
+  frameOfSize,
+  PLAIN,
+  type Source,
+  source,
+  takeFormer,
+} from "./source";
 
 /** How far the polyline of a curve may be from it where it stands for its outline, in parts of its size. */
 const FINE = 5e-4;
@@ -158,4 +169,19 @@ async function prepare(points: Float64Array, smoothing: number): Promise<void> {
     });
     if (now.kind === "outlines" && now.chosen !== 0) chooseOutline(0);
   }
+}
+
+// Curves come from the worker anew at each step of progress, whether they are better or not.
+
+export function sameCurve(a: Curve, b: Curve): boolean {
+  return a === b || JSON.stringify(a) === JSON.stringify(b);
+}
+
+/** What is reached: the one before where the next is the same, so that whoever draws it has nothing to do. */
+export function reached<T extends { of: unknown; numbers: number; curve: Curve }>(
+  last: T | null,
+  next: T,
+): T {
+  if (last === null || last.of !== next.of || last.numbers !== next.numbers) return next;
+  return sameCurve(last.curve, next.curve) ? last : next;
 }

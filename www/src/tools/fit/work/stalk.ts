@@ -1,4 +1,8 @@
 /** A stalk: a long thin part of an outline that sticks out of it. */
+import { computed, type ReadonlySignal } from "@preact/signals";
+import { settings } from "./mask";
+import { prepared } from "./outline";
+import { opened } from "./source";
 
 /** Points all along the outline, as far from each other along it as the next. */
 const LOOKS = 500;
@@ -67,3 +71,10 @@ function evenly(points: ArrayLike<number>): { xs: number[]; ys: number[]; step: 
   }
   return { xs, ys, step, size: Math.hypot(x1 - x0, y1 - y0) };
 }
+
+const found = computed(() => (opened.value && prepared.value ? stalkOf(prepared.value.points) : 0));
+
+/** How long the stalk is that could be taken off the photograph's outline, in parts of its size; 0: there is none. */
+export const stalk: ReadonlySignal<number> = computed(() =>
+  settings.value.stalk === "keep" ? found.value : 0,
+);

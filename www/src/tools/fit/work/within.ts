@@ -9,10 +9,9 @@ import { fitTask } from "#workers/fit/client";
 import type { ByteMethod, ByteRival, FitFigures, PreparedOutline, SplineMeasured } from "#workers/fit/curve";
 import { isStopped } from "#workers/lanes/latest";
 import * as messages from "../messages";
-import { plainName } from "./name";
 import { prepared } from "./outline";
 import { fail, problem, running, watched } from "./progress";
-import { type Source, source } from "./source";
+import { plainName, type Source, source } from "./source";
 
 /** A curve that is there, packed in letters, and how many bytes it was to take. */
 export interface Within {

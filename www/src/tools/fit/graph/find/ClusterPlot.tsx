@@ -3,7 +3,7 @@ import { dark } from "#document/preferences";
 import type { HoughCluster } from "#workers/fit/hough";
 import graphCss from "../graph.module.css";
 import * as messages from "../messages";
-import { errorWords, mapWords, nameOf } from "../model/words";
+import { errorWords, mapWords, nameOf } from "../model/graph-text";
 import { choose, chosen, current, found, isPicked, live, search, togglePick } from "./search";
 
 export type AxesId = "ac" | "principal";

@@ -8,6 +8,7 @@ import { FileButton } from "#ui/files/FileButton";
 import graphCss from "../graph.module.css";
 import * as messages from "../messages";
 import { EXAMPLES } from "../model/examples";
+import { countWords, phaseWords } from "../model/graph-text";
 import {
   COUNTS,
   type CountId,
@@ -20,7 +21,6 @@ import {
   takeExample,
   takeFile,
 } from "../model/series";
-import { countWords, phaseWords } from "../model/words";
 import { cancel, featuresChanged, find, problem, reflected, running } from "./search";
 
 /** What is measured, and the search for its maps. */

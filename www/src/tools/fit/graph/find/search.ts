@@ -13,9 +13,9 @@ import type {
 import { isStopped } from "#workers/lanes/latest";
 import * as messages from "../messages";
 import { take } from "../model/document";
+import { offWords } from "../model/graph-text";
 import { short } from "../model/model";
 import { type Series, series, takeFeatures } from "../model/series";
-import { offWords } from "../model/words";
 import { TABLE_3 } from "../printed";
 
 const LANES = [0, 1] as const;

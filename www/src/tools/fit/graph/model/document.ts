@@ -4,8 +4,7 @@ import { changeFit, fitDocument } from "#document/fit";
 import { announce, notify, wordsOf } from "#document/notice";
 import type { Graph } from "#wasm/api";
 import { rough } from "#wasm/curve";
-import { fromGraph } from "../../plane/model/curve";
-import { toWord } from "../../plane/model/word";
+import { fromGraph, toWord } from "../../plane/model/curve";
 import * as messages from "../messages";
 import { asKind, evaluator, type Kind, type Model, modelOf, request, short } from "./model";
 

@@ -1,4 +1,5 @@
 /** What is measured: a series or a profile, and the feature points that are taken of it. */
+
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
 import { changeFit } from "#document/fit";
 import { announce, notify, wordsOf } from "#document/notice";
@@ -9,7 +10,6 @@ import { isStopped } from "#workers/lanes/latest";
 import * as messages from "../messages";
 import { isFirst } from "./document";
 import { EXAMPLES, type Example } from "./examples";
-import { readSeries } from "./read";
 
 export interface Series {
   name: string;
@@ -121,4 +121,16 @@ export async function takeFile(file: File): Promise<void> {
 /** Whether a file is numbers in rows, by its name. */
 export function isTable(name: string): boolean {
   return /\.(csv|tsv|txt|dat|json|geojson)$/i.test(name);
+}
+
+/** Reads a series of a file, in the worker that reads files. Throws an error that says what to try. */
+export async function readSeries(file: File): Promise<OpenedSeries> {
+  const got = await fitTask("openFile", { file, name: file.name, as: "series" }, { lane: 1 });
+  if (got.kind === "series") return got;
+  if (got.kind === "picture") got.bitmap.close();
+  const what = got.kind === "picture" ? messages.picture : messages.outline2;
+  throw {
+    code: "no-series",
+    message: messages.notSeries(file.name, what),
+  };
 }

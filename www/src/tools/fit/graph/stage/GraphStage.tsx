@@ -2,22 +2,28 @@ import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
-import { emptied, useBox } from "../../by-hand/surface";
-import { ZoomButtons } from "../../by-hand/ZoomButtons";
+import { emptied, useBox, ZoomButtons } from "../../by-hand/canvas";
 import graphCss from "../graph.module.css";
 import * as messages from "../messages";
 import { chosenPiece, graph, problem } from "../model/document";
-import { errors } from "../model/errors";
+import { offWords } from "../model/graph-text";
 import { rangeOf } from "../model/model";
 import { reading, series, unmade } from "../model/series";
-import { magnified, showAll, zoomAbout } from "../model/span";
-import { offWords } from "../model/words";
-import { copyShown } from "./copy";
 import { tAt } from "./frame";
-import { attachGestures, stageKey } from "./gestures";
 import { Knots } from "./Knots";
 import { BAND, paint } from "./paint";
-import { frame, polyline, stageBox } from "./shown";
+import {
+  attachGestures,
+  copyShown,
+  errors,
+  frame,
+  magnified,
+  polyline,
+  showAll,
+  stageBox,
+  stageKey,
+  zoomAbout,
+} from "./view";
 
 /** The graph, what is measured, and the points that hands move. */
 export function GraphStage() {

@@ -9,8 +9,7 @@ import { changeModel, chosenKnot, model } from "../model/document";
 import type { Knot } from "../model/model";
 import { withKnot, withoutKnot } from "../model/model";
 import { type Frame, leftOf, rounded, tAt, topOf, xAt } from "./frame";
-import { isShown } from "./gestures";
-import { frame } from "./shown";
+import { frame, isShown } from "./view";
 
 /** More handles than this would be a wall: then only the chosen one is there. */
 const MOST_HANDLES = 80;

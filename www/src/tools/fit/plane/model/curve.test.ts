@@ -3,10 +3,12 @@ import {
   alongSide,
   apart,
   fromGraph,
+  fromWord,
   isApart,
   norm,
   type PlaneCurve,
   sideOf,
+  toWord,
   withoutPoint,
   withPiece,
   withPlace,
@@ -14,7 +16,6 @@ import {
   withTime,
 } from "./curve";
 import { EXAMPLES } from "./examples";
-import { fromWord, toWord } from "./word";
 
 const example = (id: string): PlaneCurve => EXAMPLES.find((one) => one.id === id)?.make() as PlaneCurve;
 

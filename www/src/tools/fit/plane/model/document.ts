@@ -5,9 +5,17 @@ import { wordsOf } from "#document/notice";
 import type { PlaneGraph } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import * as messages from "../../messages";
-import { type Factor, norm, type Place, type PlaneCurve, request, withPiece } from "./curve";
+import {
+  type Factor,
+  fromWord,
+  norm,
+  type Place,
+  type PlaneCurve,
+  request,
+  toWord,
+  withPiece,
+} from "./curve";
 import { EXAMPLES } from "./examples";
-import { fromWord, toWord } from "./word";
 
 /** Where nothing was made yet. */
 const FIRST: PlaneCurve = EXAMPLES[0]?.make() ?? { points: [], pieces: [] };

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import type { Curve } from "#wasm/api";
-import { FitLine, fineness } from "./line";
+import { FitLine, fineness } from "./sight";
 
 const calls = vi.hoisted(() => ({ polylines: [] as unknown[], freed: 0 }));
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { bringBackWords } from "./bring-back";
+import { bringBackWords } from "./CutPanel";
 
 test("what a stroke needs to bring back what surrounds a picture is said once", () => {
   const frame = { code: "surrounded", message: "A frame around the picture is left out." } as const;

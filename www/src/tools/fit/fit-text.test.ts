@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { FitFigures } from "#workers/fit/curve";
-import { compareBytes, compareWords, roughWords, signed } from "./words";
+import { compareBytes, compareWords, roughWords, signed } from "./fit-text";
 
 const figures = (rms: number): FitFigures => ({
   rms,

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { boxOf, framed, frameOfPoints, frameOfSize } from "./frame";
+import { boxOf, framed, frameOfPoints, frameOfSize } from "./source";
 
 test("whatever its units, what was opened lies in a square of side 2", () => {
   const far = new Float64Array([1e7, 5, 1e7 + 400, 105, 1e7 + 200, 55]);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { ACCEPT, READS } from "./formats";
+import { ACCEPT, READS } from "./SourcePanel";
 
 test("what the words name can be chosen in the file dialog", () => {
   const endings: Record<string, string> = {

@@ -2,7 +2,7 @@ import { expect, it } from "vitest";
 import type { HoughCluster } from "#workers/fit/hough";
 import { firstLook, tableThree } from "../find/search";
 import { TABLE_3 } from "../printed";
-import { aboutOf, axisWords, costWords, errorWords, nameOf, offWords } from "./words";
+import { aboutOf, axisWords, costWords, errorWords, nameOf, offWords } from "./graph-text";
 
 const cluster = (over: Partial<HoughCluster>): HoughCluster => ({
   hits: 9,

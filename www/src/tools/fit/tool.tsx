@@ -1,9 +1,13 @@
-/** The fit: its side panel, its strip, and its stage. Loaded when it is first opened. */
+import "#ui/panel/panel.css";
+import "./fit.module.css";
 import { effect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import type { Tool } from "#stage/tool";
 import { narrow } from "#ui/media";
 import { PanelFoot } from "#ui/panel/PanelFoot";
+import { loadCurves } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
+import { commands } from "./commands";
 import { CopiesPanel } from "./copies/CopiesPanel";
 import { KeptPanel } from "./kept/KeptPanel";
 import {
@@ -17,12 +21,14 @@ import {
   PlaneStrip,
   planeOpen,
 } from "./mode";
+import { open } from "./open";
 import { CutPanel } from "./panel/CutPanel";
 import { FiguresPanel } from "./panel/FiguresPanel";
 import { ModelPanel } from "./panel/ModelPanel";
 import { OutlinePanel } from "./panel/OutlinePanel";
 import { SourcePanel } from "./panel/SourcePanel";
 import { UsePanel } from "./panel/UsePanel";
+import { savePng } from "./save";
 import { hand } from "./stage/brush";
 import { FitStage as OutlineStage } from "./stage/FitStage";
 import { cutting, step } from "./stage/layers";
@@ -34,8 +40,8 @@ import { watchFit } from "./work/fitting";
 import { watchMask } from "./work/mask";
 import { watchOutline } from "./work/outline";
 import { opened } from "./work/source";
-import "#ui/panel/panel.css";
-import "./fit.module.css";
+
+// The fit: its side panel, its strip, and its stage. Loaded when it is first opened.
 
 /** Everything beside the picture: what is fitted, with what, how near it is, and where it goes. */
 export function FitPanel() {
@@ -104,4 +110,10 @@ export function FitStrip() {
 export function FitStage() {
   if (planeOpen.value) return <PlaneStage />;
   return graphOpen.value ? <GraphStage /> : <OutlineStage />;
+}
+
+/** With what makes closed curves and graphs. */
+export async function openTool(): Promise<Tool> {
+  await loadCurves();
+  return { Stage: FitStage, Panel: FitPanel, Strip: FitStrip, commands, open, savePng };
 }

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Curve } from "#wasm/api";
-import { reached, sameCurve } from "./same-curve";
+import { reached, sameCurve } from "./outline";
 
 const curve = (x: number): Curve => ({
   knots: [

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { curveJson } from "#format/curve-files";
 import type { Collage } from "#workers/fit/curve";
-import { collageCsv, collageJson, collageSvg } from "./files";
+import { collageCsv, collageJson, collageSvg } from "./save";
 
 const collage: Collage = {
   points: new Float64Array([0, 0, 1, 0, 1, 1, 0, 1]),

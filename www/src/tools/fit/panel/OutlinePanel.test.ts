@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { pathOf } from "./silhouette";
+import { pathOf } from "./OutlinePanel";
 
 test("an outline of any size stands in the middle of its picture, upright", () => {
   const flat = Float64Array.of(1000, -5, 1040, -5, 1040, 15, 1000, 15);
