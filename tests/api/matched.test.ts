@@ -8,7 +8,7 @@ vi.mock("#workers/pool/engine", () => ({ epoch: { value: 0 }, submit: () => {} }
 
 const { isMatched } = await import("#tools/morph/shapes/recall");
 const { takeRoute } = await import("#tools/morph/ways");
-const { swap } = await import("#tools/morph/changes");
+const { swap } = await import("#tools/morph/edits");
 
 beforeAll(load);
 

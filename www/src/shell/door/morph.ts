@@ -4,7 +4,7 @@ import { selection } from "#document/morph";
 import { dismiss, notify } from "#document/notice";
 import { lastStep, scene, undo } from "#document/scene";
 import { withWeights } from "#geometry/maps/weighted";
-import { choose, type End } from "#tools/morph/changes";
+import { choose, type End } from "#tools/morph/edits";
 import type { MapRow, Scene } from "#wasm/api";
 import * as messages from "./messages";
 

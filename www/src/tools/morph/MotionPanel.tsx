@@ -5,9 +5,9 @@ import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Colouring, Mode } from "#wasm/api";
 import { FOLLOW, orbitOpen, toggleOrbit } from "./dialogs";
+import { colouring, compare, mode } from "./document-signals";
 import * as messages from "./messages";
 import css from "./morph.module.css";
-import { colouring, compare, mode } from "./parts";
 
 const MODES: readonly { value: Mode; label: string; description: string }[] = [
   {

@@ -9,11 +9,11 @@ import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
 import { editMaps, endEditing, gallery, takeWhole, toggleOrbit } from "./dialogs";
+import { scrubTo } from "./edits";
 import { course, placeOf } from "./locus/families/course";
 import { toggleFull, toggleLarge } from "./locus/view/large";
 import * as messages from "./messages";
 import { frames } from "./strip/FilmStrip";
-import { scrubTo } from "./strip/scrub";
 
 /** The moment of the next frame of the film, in a direction; the end where there is none. */
 export function nextFrame(moments: readonly number[], t: number, by: 1 | -1): number {
@@ -107,7 +107,7 @@ export const commands: readonly Command[] = [
     keys: ["Delete", "Backspace"],
     // Whoever is elsewhere on the page means something else by this key.
     enabled: () => selection.peek()?.map != null && !selection.peek()?.whole && onStage(),
-    run: () => void import("./maps/remove").then(({ removeChosen }) => removeChosen()),
+    run: () => void import("./maps/map-edits").then(({ removeChosen }) => removeChosen()),
   },
   {
     id: "map-large",

@@ -4,7 +4,7 @@ import { selection } from "#document/morph";
 import { pause } from "#document/playback";
 import { replace, scene } from "#document/scene";
 import { evidenceOpen } from "#stage/evidence/shown";
-import type { End } from "./changes";
+import type { End } from "./edits";
 
 /** The end whose shape is being chosen; null while the gallery is closed. */
 export const gallery = signal<End | null>(null);
@@ -100,3 +100,7 @@ function goTo(id: string): void {
     panel.scrollTop += summary.getBoundingClientRect().top - panel.getBoundingClientRect().top;
   });
 }
+
+/** The panel of evidence in the document, and what opens it: that has the focus again when it closes. */
+export const PANEL_ID = "evidence";
+export const CHIP_ID = "verdict-chip";

@@ -61,3 +61,50 @@ export const fromToAt = (a: string, b: string, t: string) => `${a} to ${b} at ${
 export const morph2 = "Morph";
 export const frondMorphOneFractal = "Frond: morph one fractal into another";
 export const shapesAndPath = "Shapes and path";
+
+// What the timeline says.
+
+export const inPieces = "in pieces";
+export const noAttractor = "no attractor";
+export const notDecided = "not decided";
+export const filmMorph = "Film of the morph";
+export const pictureLoading = "picture loading";
+export const atMoment = (words: string) => `At ${words}`;
+
+export const time = "Time";
+export const offPath = (percent: string) => `${percent}; the picture is off the path`;
+export const searchingPath = (percent: string) => `${percent}; Frond is searching for a path`;
+export const pictureOffPath = "picture off the path";
+export const worstAt = (gap: string, percent: string) => `Widest gap: ${gap}, at ${percent}`;
+export const timeInPercent = "Time in percent";
+export const loopBackAndForth = "Loop back and forth";
+export const speed = "Speed";
+
+// What is said of the two shapes and their gallery.
+
+export const twoShapes = "The two shapes";
+export const swapped = (a: string, b: string) => `Swapped: from ${a} to ${b}.`;
+export const editMapsOf = (shape: string) => `Edit the maps of ${shape}`;
+export const moreFor = (shape: string) => `More for shape ${shape}`;
+export const chooseAnother = "Choose another …";
+export const newShape = "New shape …";
+export const moveRotateOrScale = "Move, rotate or scale it";
+export const mapsAsText = "Maps as text …";
+export const saveThisShape = "Save this shape";
+export const isKept = (name: string) => `${name} is saved. Find it in the gallery under Yours.`;
+export const alsoAs = (shape: string) => `Use as ${shape} too`;
+export const atBothEnds = (name: string) => `${name} is now both shapes.`;
+
+export const shapeNow = (shape: string, name: string) => `Shape ${shape} is now ${name}.`;
+export const shape = (shape: string) => `Shape ${shape}`;
+export const eachMadeSmallerCopies = "Each is made of smaller copies of itself. You can edit its maps later.";
+export const otherIsOutline = (shape: string, name: string) =>
+  `Shape ${shape} is ${name}, an outline. Outlines morph only into outlines.`;
+export const replacesOutline = (shape: string, system: string, outline: string) =>
+  `These do not morph into outlines. If you choose one, shape ${shape} becomes ${system} instead of ${outline}.`;
+
+export const newShape2 = "New shape";
+
+export const staysInOnePiece = (other: string | number) => `Stays in one piece with ${other}`;
+export const canStayInOne = (other: string | number) =>
+  `Can stay in one piece with ${other}; Frond will look for the pairing`;

@@ -1,7 +1,7 @@
 /** How what was found becomes the document's: ways to match, and ways across, as functions from scene to scene. */
 import { remade } from "#geometry/maps/weighted";
 import type { Candidate, PathPoint, Route, Scene } from "#wasm/api";
-import { MOST_POINTS } from "./changes";
+import { MOST_POINTS } from "./edits";
 import { noteMatched } from "./shapes/matched";
 
 /** Lists that say what is so anyway are left out of the document. */

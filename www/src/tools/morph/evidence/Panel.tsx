@@ -1,5 +1,5 @@
 import { useEffect, useState } from "preact/hooks";
-import { told } from "#compute/proof";
+import { type Proof as Proved, proof, prove, told } from "#compute/proof";
 import { verdict } from "#compute/results";
 import { boxOf } from "#document/framing";
 import { shown, shownColours } from "#document/morph";
@@ -15,13 +15,12 @@ import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { download, plainName } from "#ui/files/download";
 import { Graph } from "#ui/shapes/Graph";
-import type { Connectedness, MapRow, Reason } from "#wasm/api";
+import type { Certificate, ConnectedCertificate, Connectedness, MapRow, Reason } from "#wasm/api";
 import { frond } from "#wasm/core";
+import { CHIP_ID, PANEL_ID } from "../dialogs";
 import css from "./evidence.module.css";
-import { CHIP_ID, PANEL_ID } from "./ids";
+import { accountOf, addressWords, checkWords, clusterWords, gapWords, linkWords } from "./evidence-text";
 import * as messages from "./messages";
-import { Proof } from "./Proof";
-import { accountOf, addressWords, clusterWords, gapWords, linkWords } from "./words";
 
 /** What is known of the picture on the stage, and why. */
 export function MorphEvidence() {
@@ -202,4 +201,43 @@ function anglesOf(maps: readonly MapRow[]): number[] {
   const x = box ? (box.x0 + box.x1) / 2 : 0;
   const y = box ? (box.y0 + box.y1) / 2 : 0;
   return maps.map(([a, b, c, d, e, f]) => Math.atan2(c * x + d * y + f - y, a * x + b * y + e - x));
+}
+
+/** The proof that it is in one piece, or in several: made, checked, and given away when asked for. */
+export function Proof({ connected }: { connected: boolean }) {
+  const now = proof.value;
+  return (
+    <div class={css["evidence-proof"]}>
+      {now?.state === "there" ? (
+        <Button onClick={() => saveProof(now.certificate)}>{messages.downloadProof}</Button>
+      ) : (
+        <Button disabled={now?.state === "asked"} onClick={prove}>
+          {messages.checkProof}
+        </Button>
+      )}
+      <p role="status">{proofWords(now, connected)}</p>
+    </div>
+  );
+}
+
+function proofWords(now: Proved | null, connected: boolean): string {
+  switch (now?.state) {
+    case "asked":
+      return messages.writingAndCheckingProof;
+    case "there":
+      return checkWords(now.check);
+    case "none":
+      return messages.noProof(now.why);
+    default:
+      return connected ? messages.checksEveryContactBetween : messages.checksAllPiecesOn;
+  }
+}
+
+function saveProof(certificate: Certificate | ConnectedCertificate): void {
+  try {
+    const blob = new Blob([`${JSON.stringify(certificate)}\n`], { type: "application/json" });
+    download(blob, "frond-proof.json");
+  } catch (problem) {
+    notify({ kind: "error", text: messages.proofFailed(wordsOf(problem)) });
+  }
 }

@@ -1,24 +1,63 @@
 import { useEffect, useRef } from "preact/hooks";
-import { locusWindow } from "#compute/results";
+import { MOST_ZOOM } from "#compute/locus/window";
+import { along, locusWindow } from "#compute/results";
+import { pathPoints } from "#document/morph";
+import { percent } from "#format/path-words";
+import { shareWords } from "#format/verdict";
+import { uvAt } from "#geometry/path";
 import { Field } from "#stage/locus/Field";
 import { LocusProgress } from "#stage/locus/LocusProgress";
 import type { LocusStyle } from "#stage/locus/paint";
 import { CurrentHandle, WayHandle } from "#stage/locus/WayPoints";
+import { IconButton } from "#ui/controls/Button";
+import { pathKind } from "../document-signals";
 import { FamilyLines, ToBoundary } from "../later";
-import { pathKind } from "../parts";
 import fieldCss from "./field.module.css";
 import { End, PathLines, PickedMark } from "./marks";
 import * as messages from "./messages";
 import { PATH } from "./path/handles";
-import { WorstMark } from "./path/WorstMark";
-import { place, way } from "./path/way";
+import { place, way } from "./path/waypoints";
 import { CROSS_HINT, Cross, crossKey, useCross } from "./pointer/cross";
 import { useGestures, wheelHint } from "./pointer/gestures";
 import { followPointer } from "./pointer/hover";
 import { Preview } from "./pointer/Preview";
-import { shownField } from "./view/shown";
-import { family, shownWindow, view } from "./view/view";
-import { ZoomButtons } from "./view/ZoomButtons";
+import { full, large, toggleFull, toggleLarge } from "./view/large";
+import { family, goHome, shownField, shownWindow, view, zoomBy } from "./view/view";
+
+const STEP = 2;
+
+/** What wheel and fingers do, as buttons, in a corner of the square. */
+function ZoomButtons() {
+  const { zoom } = view.value;
+  return (
+    <div class={fieldCss["locus-zoom"]}>
+      {large.value && <IconButton icon="close" label={messages.backToPanel} onClick={toggleLarge} />}
+      {large.value && (
+        <IconButton
+          icon="enlarge"
+          label={messages.fullScreen}
+          command="map-full"
+          pressed={full.value}
+          onClick={() => void toggleFull()}
+        />
+      )}
+      <IconButton
+        icon="add"
+        label={messages.zoomIn}
+        description={messages.orClickLocusAnd}
+        disabled={zoom >= MOST_ZOOM}
+        onClick={() => zoomBy(STEP)}
+      />
+      <IconButton
+        icon="remove"
+        label={messages.zoomOut}
+        disabled={zoom <= 1}
+        onClick={() => zoomBy(1 / STEP)}
+      />
+      <IconButton icon="whole" label={messages.resetView} disabled={zoom <= 1} onClick={goHome} />
+    </div>
+  );
+}
 
 const LABELS = {
   morph: messages.locusOverUTo,
@@ -79,5 +118,21 @@ function OnMorph() {
         <WayHandle key={index} path={PATH} index={index} />
       ))}
     </>
+  );
+}
+
+/** Where the gap is widest along the path. It takes no hold: handles may lie under it. */
+function WorstMark() {
+  const worst = along.value?.worst;
+  if (!worst) return null;
+  const [x, y] = place(uvAt(pathPoints.value, worst.t), shownWindow.value);
+  if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) return null;
+  return (
+    <span
+      class="worst-mark"
+      style={{ left: `${100 * x}%`, top: `${100 * y}%` }}
+      role="img"
+      aria-label={messages.worstAt(shareWords(worst.gap), percent(worst.t))}
+    />
   );
 }

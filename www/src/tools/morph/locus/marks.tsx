@@ -7,7 +7,7 @@ import { VerdictSign } from "#ui/shapes/VerdictSign";
 import { twins } from "./families/families";
 import css from "./field.module.css";
 import { isOff, isOutside } from "./path/handles";
-import { place, toneAt } from "./path/way";
+import { place, toneAt } from "./path/waypoints";
 import { family, picked, shownWindow, sides, view } from "./view/view";
 
 export function End({ letter, at: [x, y] }: { letter: string; at: [number, number] }) {

@@ -7,7 +7,7 @@ import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
 import { Fold } from "#ui/panel/Fold";
-import type { End } from "../changes";
+import type { End } from "../edits";
 import css from "./maps.module.css";
 import * as messages from "./messages";
 

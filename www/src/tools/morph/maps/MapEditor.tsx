@@ -1,8 +1,9 @@
 import { useEffect, useRef, useState } from "preact/hooks";
+import { OwnShapes } from "#curve/OwnShapes";
 import { editFrame } from "#document/editing/frame";
 import { ranks, selection } from "#document/morph";
-import { announce, wordsOf } from "#document/notice";
-import { LONGEST_NAME } from "#document/own-shapes";
+import { announce, notify, wordsOf } from "#document/notice";
+import { copyName, keepShape, LONGEST_NAME, ownShapes } from "#document/own-shapes";
 import { originOf } from "#document/presets";
 import { edit, endGesture } from "#document/scene";
 import { UNIT } from "#geometry/boxes";
@@ -12,22 +13,21 @@ import { snapping } from "#stage/handles/held";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
+import { Fold } from "#ui/panel/Fold";
 import { Problem } from "#ui/panel/Problem";
 import { MapList, MapTools } from "#ui/shapes/MapList";
 import { NameInput } from "#ui/shapes/NameInput";
-import type { MapRow } from "#wasm/api";
+import type { MapRow, Shape } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { type End, MOST_MAPS, nameOf } from "../changes";
-import { endEditing } from "../dialogs";
-import { shapes } from "../parts";
+import { askForNew, endEditing } from "../dialogs";
+import { shapes } from "../document-signals";
+import { choose, type End, MOST_MAPS, nameOf } from "../edits";
 import { Swatch } from "../shapes/Swatch";
-import { AtHand } from "./AtHand";
-import { rename, setMaps } from "./changes";
 import { FrameFold } from "./FrameFold";
 import { NumberFields, PartFields } from "./MapFields";
+import { removeChosen, rename, setMaps } from "./map-edits";
 import css from "./maps.module.css";
 import * as messages from "./messages";
-import { removeChosen } from "./remove";
 import { Weights } from "./Weights";
 import { WholeShape } from "./WholeShape";
 
@@ -249,4 +249,49 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
       </div>
     </>
   );
+}
+
+/** The shapes that a person keeps, at hand while one is edited: to go on with another, or with a copy. */
+export function AtHand({ target }: { target: End }) {
+  const kept = ownShapes.value.length;
+  return (
+    <Fold title={messages.yourShapes} now={kept === 0 ? messages.noneYet : `${kept}`}>
+      <div class="stack">
+        <p class="hint">{messages.saveShapeAndWork}</p>
+        <div class={css["editor-foot"]}>
+          <Button icon="check" onClick={() => keep(shapes[target].peek())}>
+            {messages.save}
+          </Button>
+          <Button icon="copy" description={messages.saveAndContinueWith} onClick={() => duplicate(target)}>
+            {messages.duplicate}
+          </Button>
+          <Button icon="add" onClick={() => askForNew(target)}>
+            {messages.newLabel}
+          </Button>
+        </div>
+        <OwnShapes small onChoose={(shape) => take(target, shape)} />
+      </div>
+    </Fold>
+  );
+}
+
+function keep(shape: Shape): boolean {
+  const problem = keepShape(shape);
+  if (problem !== null) notify({ kind: "info", text: problem });
+  else announce(messages.isKept(shape.name));
+  return problem === null;
+}
+
+function duplicate(target: End): void {
+  const shape = shapes[target].peek();
+  if (!keep(shape)) return;
+  const name = copyName(shape.name, new Set(ownShapes.peek().map((one) => one.name)));
+  edit((before) => rename(before, target, name));
+  announce(messages.keptAndEdited(shape.name, name));
+}
+
+function take(target: End, shape: Shape): void {
+  edit((before) => choose(before, target, shape));
+  selection.value = { target, map: 0 };
+  announce(messages.nowEdited(shape.name));
 }

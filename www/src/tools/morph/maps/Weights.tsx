@@ -6,10 +6,10 @@ import { fixed } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Fold } from "#ui/panel/Fold";
-import { type End, nameOf } from "../changes";
-import { colouring, shapes } from "../parts";
+import { colouring, shapes } from "../document-signals";
+import { type End, nameOf } from "../edits";
 import { Swatch } from "../shapes/Swatch";
-import { setWeights } from "./changes";
+import { setWeights } from "./map-edits";
 import * as messages from "./messages";
 import css from "./weights.module.css";
 

@@ -10,7 +10,7 @@ import { handOn } from "#ui/hand/hold";
 import { MatrixFields } from "#ui/hand/MatrixFields";
 import { ParameterTable } from "#ui/hand/ParameterTable";
 import type { MapRow, Shape } from "#wasm/api";
-import type { End } from "../changes";
+import type { End } from "../edits";
 import { NumberFields } from "./MapFields";
 import * as messages from "./messages";
 

@@ -2,7 +2,7 @@ import { pairing } from "#document/morph";
 import { edit, endGesture } from "#document/scene";
 import { NumberField } from "#ui/controls/NumberField";
 import { Select } from "#ui/controls/Select";
-import { correspondence, turns } from "../parts";
+import { correspondence, turns } from "../document-signals";
 import { Swatch } from "../shapes/Swatch";
 import { Matching } from "./Matching";
 import * as messages from "./messages";

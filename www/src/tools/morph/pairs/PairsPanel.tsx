@@ -2,10 +2,10 @@ import "#ui/panel/fold.css";
 import { halfTurns, pairing } from "#document/morph";
 import { edit } from "#document/scene";
 import { HalfTurns } from "#ui/panel/HalfTurns";
-import { flatPairs, turnedFurther } from "../changes";
 import { pairsOpen } from "../dialogs";
+import { correspondence } from "../document-signals";
+import { flatPairs, turnedFurther } from "../edits";
 import { Pairs, PairWords } from "../later";
-import { correspondence } from "../parts";
 import * as messages from "./messages";
 import css from "./pairs.module.css";
 

@@ -7,7 +7,7 @@ import { Button } from "#ui/controls/Button";
 import { useOwnId } from "#ui/id";
 import type { Route, RouteKind } from "#wasm/api";
 import { routesOpen } from "../dialogs";
-import { correspondence, shapes, turns } from "../parts";
+import { correspondence, shapes, turns } from "../document-signals";
 import { isMatched, takeRoute } from "../ways";
 import * as messages from "./messages";
 import css from "./pairs.module.css";

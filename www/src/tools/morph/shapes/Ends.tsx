@@ -9,12 +9,12 @@ import { Menu } from "#ui/overlay/Menu";
 import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
 import endsCss from "#ui/shapes/ends.module.css";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
-import { asBoth, type End, nameOf, other, swap } from "../changes";
 import { askForNew, editMaps, endEditing, gallery, PENCILS, takeWhole } from "../dialogs";
+import { shapes } from "../document-signals";
+import { asBoth, type End, nameOf, other, swap } from "../edits";
 import { keepingPath } from "../locus/path/automatic";
-import { shapes } from "../parts";
+import * as messages from "../messages";
 import { changedWord } from "./matched";
-import * as messages from "./messages";
 
 /** The two ends of the morph, with the arrow that swaps them. */
 export function Ends() {

@@ -12,13 +12,12 @@ import { presets } from "#document/presets";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
 import type { Shape } from "#wasm/api";
-import { choose, nameOf, other } from "../changes";
 import { editMaps, gallery } from "../dialogs";
-import { pick } from "../locus/path/way";
-import { shapes } from "../parts";
-import { BLANK_FRAME, blankShape } from "./blank";
-import * as messages from "./messages";
-import { NewShape } from "./NewShape";
+import { shapes } from "../document-signals";
+import { choose, nameOf, other } from "../edits";
+import { pick } from "../locus/path/waypoints";
+import * as messages from "../messages";
+import { BLANK_FRAME, blankShape, NewShape } from "./NewShape";
 import { bondWords, partnersOf } from "./partners";
 import { promise } from "./promised";
 

@@ -1,8 +1,41 @@
 import { useEffect, useRef } from "preact/hooks";
+import { UNIT } from "#geometry/boxes";
+import type { MapRow, Shape } from "#wasm/api";
 import { forNew } from "../dialogs";
-import { BLANK_COUNTS, type BlankCount, blankShape } from "./blank";
-import * as messages from "./messages";
+import * as messages from "../messages";
 import css from "./new-shape.module.css";
+
+// A shape to begin with: so many copies of the unit square, each half as large.
+
+/** Where the lower left corners of the copies are. Three stand as the gasket's do. */
+const CORNERS: Record<1 | 2 | 3 | 4, readonly (readonly [number, number])[]> = {
+  1: [[0, 0]],
+  2: [
+    [0, 0],
+    [0.5, 0],
+  ],
+  3: [
+    [0, 0],
+    [0.5, 0],
+    [0.25, 0.5],
+  ],
+  4: [
+    [0, 0],
+    [0.5, 0],
+    [0, 0.5],
+    [0.5, 0.5],
+  ],
+};
+
+type BlankCount = keyof typeof CORNERS;
+const BLANK_COUNTS: readonly BlankCount[] = [1, 2, 3, 4];
+
+/** The frame that it is made in. */
+export const BLANK_FRAME = UNIT;
+
+export function blankShape(count: BlankCount): Shape {
+  return { name: messages.newShape2, maps: CORNERS[count].map(([x, y]): MapRow => [0.5, 0, 0, 0.5, x, y]) };
+}
 
 /** Begins a shape with one to four copies of a square, which its maker then drags. */
 export function NewShape({ onChoose }: { onChoose: (count: BlankCount) => void }) {

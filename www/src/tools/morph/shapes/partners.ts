@@ -4,7 +4,7 @@
  * prints it; a test of that crate asks whether it is true.
  */
 
-import * as messages from "./messages";
+import * as messages from "../messages";
 import table from "./partners.txt?raw";
 
 /** How they come together: as they are, or by another way, which is offered once it is found. */

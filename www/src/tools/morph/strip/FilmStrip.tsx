@@ -9,9 +9,8 @@ import { isBroken } from "#geometry/states";
 import { media } from "#style/media";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Verdict } from "#wasm/api";
-import { evenly } from "./evenly";
-import * as messages from "./messages";
-import { scrubTo } from "./scrub";
+import { scrubTo } from "../edits";
+import * as messages from "../messages";
 import css from "./strip.module.css";
 
 const phone = media("(max-width: 37.4375em)");
@@ -84,4 +83,13 @@ export function FilmStrip() {
       })}
     </ol>
   );
+}
+
+/** At most `count` items, evenly spread, with the first and the last among them. */
+export function evenly<T>(items: readonly T[], count: number): readonly T[] {
+  if (items.length <= count) return items;
+  return Array.from(
+    { length: count },
+    (_, i) => items[Math.round((i * (items.length - 1)) / Math.max(1, count - 1))],
+  ).filter((item): item is T => item !== undefined);
 }

@@ -14,11 +14,11 @@ import { IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
+import { scrubTo } from "../edits";
 import { FamilyStrip } from "../later";
-import { stateNow } from "../locus/path/way";
+import { stateNow } from "../locus/path/waypoints";
+import * as messages from "../messages";
 import { FilmStrip, frames } from "./FilmStrip";
-import * as messages from "./messages";
-import { scrubTo } from "./scrub";
 import css from "./strip.module.css";
 
 /** Time: play, scrub, and the film of the whole morph; of a family, the way of its parameter. */

@@ -5,7 +5,7 @@ import { piecesIn } from "#geometry/polyline";
 import fieldCss from "../field.module.css";
 import { around, linePath } from "../marks";
 import { isOutside } from "../path/handles";
-import { place } from "../path/way";
+import { place } from "../path/waypoints";
 import { arcNear } from "../view/geometry";
 import { shownWindow, sides, view } from "../view/view";
 import { criticalScale } from "./critical";

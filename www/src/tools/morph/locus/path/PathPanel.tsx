@@ -12,12 +12,12 @@ import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
 import type { PathKind } from "#wasm/api";
 import { workers } from "#workers/pool/engine";
+import { mode, pathKind } from "../../document-signals";
 import { WayElse } from "../../later";
-import { mode, pathKind } from "../../parts";
 import * as messages from "../messages";
 import { third } from "./automatic";
 import { PATH } from "./handles";
-import { bounds, MOST_W, showW, thirdShown } from "./way";
+import { bounds, MOST_W, showW, thirdShown } from "./waypoints";
 
 function setKind(kind: PathKind): void {
   edit((before) => {

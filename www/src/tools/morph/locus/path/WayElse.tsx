@@ -5,7 +5,7 @@ import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { openMatching, openRoutes } from "../../dialogs";
-import { mode } from "../../parts";
+import { mode } from "../../document-signals";
 import * as messages from "../messages";
 import { setThird, third } from "./automatic";
 

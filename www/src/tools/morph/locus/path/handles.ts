@@ -4,8 +4,7 @@ import { uv } from "#document/morph";
 import { scene } from "#document/scene";
 import type { Uv } from "#geometry/path";
 import type { WayPath } from "#stage/locus/WayPoints";
-import { MOST_POINTS } from "../../changes";
-import { scrubTo } from "../../strip/scrub";
+import { MOST_POINTS, scrubTo } from "../../edits";
 import { shownWindow, view } from "../view/view";
 import {
   addAfter,
@@ -20,7 +19,7 @@ import {
   toneAt,
   way,
   wayWords,
-} from "./way";
+} from "./waypoints";
 
 export const isOutside = ([x, y]: readonly [number, number]): boolean =>
   !(x >= 0 && x <= 1 && y >= 0 && y <= 1);

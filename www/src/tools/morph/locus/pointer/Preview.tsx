@@ -5,7 +5,7 @@ import { verdictLine, verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import type { Bounds } from "#wasm/api";
 import fieldCss from "../field.module.css";
-import { place } from "../path/way";
+import { place } from "../path/waypoints";
 import { spot } from "../view/geometry";
 import { inDigits, shownWindow, view } from "../view/view";
 import { type Pointed, pointed, type Seen, SIDE, seen } from "./hover";

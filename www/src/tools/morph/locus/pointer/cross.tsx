@@ -7,7 +7,7 @@ import { pointOf } from "#geometry/polyline";
 import fieldCss from "../field.module.css";
 import * as messages from "../messages";
 import { isOutside } from "../path/handles";
-import { addAt, place } from "../path/way";
+import { addAt, place } from "../path/waypoints";
 import { goHome, panBy, picked, pickPoint, shownWindow, view } from "../view/view";
 import { zoomAbout } from "./gestures";
 import { pointed } from "./hover";

@@ -1,4 +1,6 @@
 /** The map as a drawing: areas of one answer, axes with numbers, and the path. Pure, for the tests. */
+
+import { fixed } from "#format/numbers";
 import { STATE } from "#geometry/states";
 import type { LocusStyle } from "#stage/locus/paint";
 import { BAD, INK, WHITE } from "#style/colours";
@@ -18,10 +20,139 @@ import {
 import { escaped, rounded, svgFile, svgPen, tag } from "#ui/files/svg";
 import type { Bounds, Locus } from "#wasm/api";
 import * as messages from "../messages";
-import { outlinesOf } from "./areas";
-import { drawAxes, MARGIN } from "./axes";
+import { ticksOf } from "../view/geometry";
 
-export interface MapDrawing {
+// Outlines of areas of equal samples.
+
+/** Right, down, left, up. */
+const STEPS = [
+  [1, 0],
+  [0, 1],
+  [-1, 0],
+  [0, -1],
+] as const;
+
+/**
+ * The outline of each class of cells of a grid, as closed polygons of cell corners, to be filled even-odd: x, y, x, y,
+ * .. with a corner where they turn. They meet without a gap.
+ */
+export function outlinesOf(
+  classes: ArrayLike<number>,
+  width: number,
+  height: number,
+): Map<number, number[][]> {
+  const found = new Map<number, number[][]>();
+  const row = width + 1;
+  for (const one of new Set(Array.from(classes))) {
+    // At each corner, the steps that leave it with the class on the right hand: a bit each.
+    const leave = new Uint8Array(row * (height + 1));
+    const is = (x: number, y: number) =>
+      x >= 0 && y >= 0 && x < width && y < height && classes[y * width + x] === one;
+    for (let y = 0; y < height; y++) {
+      for (let x = 0; x < width; x++) {
+        if (!is(x, y)) continue;
+        const at = y * row + x;
+        if (!is(x, y - 1)) leave[at] = (leave[at] ?? 0) | 1;
+        if (!is(x + 1, y)) leave[at + 1] = (leave[at + 1] ?? 0) | 2;
+        if (!is(x, y + 1)) leave[at + row + 1] = (leave[at + row + 1] ?? 0) | 4;
+        if (!is(x - 1, y)) leave[at + row] = (leave[at + row] ?? 0) | 8;
+      }
+    }
+    const polygons: number[][] = [];
+    for (let start = 0; start < leave.length; start++) {
+      while (leave[start]) polygons.push(walk(leave, start, row));
+    }
+    found.set(one, polygons);
+  }
+  return found;
+}
+
+/** Once round, from a corner back to it; the steps are taken away. */
+function walk(leave: Uint8Array, start: number, row: number): number[] {
+  const corners: number[] = [];
+  let [at, before] = [start, -1];
+  do {
+    const open = leave[at] ?? 0;
+    const step = [0, 1, 2, 3].find((k) => open & (1 << k)) ?? 0;
+    leave[at] = open & ~(1 << step);
+    if (step !== before) corners.push(at % row, Math.floor(at / row));
+    before = step;
+    const [dx, dy] = STEPS[step] ?? [0, 0];
+    at += dx + dy * row;
+  } while (at !== start);
+  return corners;
+}
+
+/** Room for numbers and names, in pixels. */
+export const MARGIN = { left: 170, right: 40, top: 40, bottom: 140 };
+
+const TICK = 14;
+const FONT = "36px system-ui, sans-serif";
+
+/** What of a canvas is used. */
+type Pen = Pick<
+  CanvasRenderingContext2D,
+  | "fillRect"
+  | "strokeRect"
+  | "fillText"
+  | "beginPath"
+  | "moveTo"
+  | "lineTo"
+  | "stroke"
+  | "fillStyle"
+  | "strokeStyle"
+  | "lineWidth"
+  | "font"
+  | "textAlign"
+  | "textBaseline"
+>;
+
+/** A frame around a square picture, with numbers and names, on white: for papers. */
+export function drawAxes(
+  pen: Pen,
+  size: number,
+  { u0, u1, v0, v1 }: Bounds,
+  names: { across: string; up: string },
+  drawSquare: () => void,
+): void {
+  const { left, top } = MARGIN;
+  const bottom = top + size;
+  pen.fillStyle = WHITE;
+  pen.fillRect(0, 0, size + left + MARGIN.right, size + top + MARGIN.bottom);
+  drawSquare();
+  pen.strokeStyle = INK;
+  pen.fillStyle = INK;
+  pen.lineWidth = 3;
+  pen.font = FONT;
+  pen.strokeRect(left, top, size, size);
+  const tick = (x: number, y: number, dx: number, dy: number) => {
+    pen.beginPath();
+    pen.moveTo(x, y);
+    pen.lineTo(x + dx, y + dy);
+    pen.stroke();
+  };
+  pen.textAlign = "center";
+  pen.textBaseline = "top";
+  const across = ticksOf(u0, u1);
+  for (const value of across.at) {
+    const x = left + (size * (value - u0)) / (u1 - u0);
+    tick(x, bottom, 0, TICK);
+    pen.fillText(fixed(value, across.digits), x, bottom + TICK + 8);
+  }
+  pen.fillText(names.across, left + size / 2, bottom + 78);
+  pen.textAlign = "right";
+  pen.textBaseline = "middle";
+  const up = ticksOf(v0, v1);
+  for (const value of up.at) {
+    const y = bottom - (size * (value - v0)) / (v1 - v0);
+    tick(left, y, -TICK, 0);
+    pen.fillText(fixed(value, up.digits), left - TICK - 8, y);
+  }
+  pen.textAlign = "left";
+  pen.fillText(names.up, 14, top + size / 2);
+}
+
+interface MapDrawing {
   title: string;
   /** What the axes show. */
   window: Bounds;

@@ -12,11 +12,9 @@ import { loadExchange } from "#wasm/exchange";
 import { around, linePath, THICK } from "../marks";
 import * as messages from "../messages";
 import { isOutside } from "../path/handles";
-import { place } from "../path/way";
-import { shownField } from "../view/shown";
-import { epsilon, family, shownWindow, sides, view } from "../view/view";
-import { drawAxes, MARGIN } from "./axes";
-import { mapDrawing } from "./drawing";
+import { place } from "../path/waypoints";
+import { epsilon, family, shownField, shownWindow, sides, view } from "../view/view";
+import { drawAxes, MARGIN, mapDrawing } from "./drawing";
 
 /** `path`: the path alone, as a drawing; `svg` has the map as well. */
 export type LocusFile = "png" | "svg" | "path" | "csv" | "npy";

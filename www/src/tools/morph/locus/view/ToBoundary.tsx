@@ -10,8 +10,7 @@ import type { Job } from "#workers/pool/protocol";
 import css from "../field.module.css";
 import * as messages from "../messages";
 import { BoundarySearch, directionWords, othersOf, type Side, sideWords, uniform } from "./boundary";
-import { shownField } from "./shown";
-import { epsilon, family, fly, shownWindow, view } from "./view";
+import { epsilon, family, fly, shownField, shownWindow, view } from "./view";
 
 /** The side that all of the window is on, once all of it is known. */
 const side = computed(() => {

@@ -1,7 +1,10 @@
 /** How the locus is looked at, and what hands and keys do to that. */
+
 import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
 import { detail } from "#compute/locus/detail";
+import type { Field } from "#compute/locus/pyramid";
 import { clampedView, epsilonOf, type Family, levelOf, viewProblem, windowOf } from "#compute/locus/window";
+import { locusWindow } from "#compute/results";
 import { locusView, uv } from "#document/morph";
 import { notify } from "#document/notice";
 import { playing } from "#document/playback";
@@ -173,4 +176,14 @@ export function fly(target: { x: number; y: number; zoom: number }): void {
 export const offSlice: ReadonlySignal<number> = computed(() => {
   const [, , w = 0] = picked.value ?? uv.value;
   return view.value.family === "morph" ? w - view.value.w : 0;
+});
+
+/**
+ * What is known of the window that is shown, read anew for every picture: coarser samples stand in for those that are
+ * not there yet, so that moving about never leaves it blank. Null before anything is known of the plane.
+ */
+export const shownField: ReadonlySignal<Field | null> = computed(() => {
+  const { pyramid } = locusWindow.value ?? {};
+  const { family, zoom } = view.value;
+  return pyramid?.family === family ? pyramid.read(shownWindow.value, zoom * detail.value) : null;
 });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { STATE } from "#geometry/states";
-import { causeWords, chosen, counted, isOf } from "./causes";
+import { causeWords, chosen, counted, isOf } from "./Causes";
 
 const bounds = { u0: -1, v0: -1, u1: 2, v1: 2 };
 

@@ -7,7 +7,7 @@ import { ownWeights } from "#document/own-weights";
 import { scene } from "#document/scene";
 import type { NamedMaps } from "#ui/files/exporting";
 import type { Colouring, Mode, PathKind, Shape } from "#wasm/api";
-import type { End } from "./changes";
+import type { End } from "./edits";
 import * as messages from "./messages";
 
 export const shapes: Record<End, ReadonlySignal<Shape>> = {

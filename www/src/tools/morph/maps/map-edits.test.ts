@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MapRow, Scene } from "#wasm/api";
-import { rename, setMaps, setWeights } from "./changes";
+import { rename, setMaps, setWeights } from "./map-edits";
 
 const half: MapRow = [0.5, 0, 0, 0.5, 0, 0];
 const right: MapRow = [0.5, 0, 0, 0.5, 0.5, 0];

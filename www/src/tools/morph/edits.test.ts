@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { sameWeighted, withWeights } from "#geometry/maps/weighted";
 import type { MapRow, Route, Scene } from "#wasm/api";
-import { asBoth, choose, flatPairs, MOST_POINTS, setPoints, swap, turnedFurther } from "./changes";
+import { asBoth, choose, flatPairs, MOST_POINTS, setPoints, swap, turnedFurther } from "./edits";
 import { isMatched, takeMatching, takeRoute, takeWay } from "./ways";
 
 const half: MapRow = [0.5, 0, 0, 0.5, 0, 0];

@@ -11,7 +11,7 @@ vi.mock("#compute/results", () => ({
 }));
 
 const results = await import("#compute/results");
-const { toneAt } = await import("./way");
+const { toneAt } = await import("./waypoints");
 const verdict = results.verdict as unknown as { value: unknown };
 
 it("tells a point of the map what is said of the shape there, and no other", () => {

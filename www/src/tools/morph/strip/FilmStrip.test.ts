@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { evenly } from "./evenly";
+import { evenly } from "./FilmStrip";
 
 describe("evenly", () => {
   it("keeps both ends", () => {

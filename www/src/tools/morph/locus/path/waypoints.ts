@@ -11,7 +11,7 @@ import { timesOf, type Uv } from "#geometry/path";
 import { clamp, insert, move, nearestOn, remove } from "#geometry/polyline";
 import { sampleNear } from "#geometry/states";
 import type { Bounds } from "#wasm/api";
-import { MOST_POINTS, setPoints } from "../../changes";
+import { MOST_POINTS, setPoints } from "../../edits";
 import * as messages from "../messages";
 
 /** The part of the (u, v) plane that is shown before the engine has said so. */

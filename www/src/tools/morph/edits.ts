@@ -1,5 +1,8 @@
 /** What the panel does to the document, as functions from scene to scene. */
 
+import { locusView } from "#document/morph";
+import { pause, setT } from "#document/playback";
+import { replace, scene } from "#document/scene";
 import type { MapRow, PathPoint, Scene, Shape } from "#wasm/api";
 
 export type End = "a" | "b";
@@ -73,4 +76,19 @@ export function flatPairs(
     if (det(map) * det(to[correspondence[i] ?? i]) < 0) found.push(i + 1);
   });
   return found;
+}
+
+/** Moves in time by hand: what plays stops, and the picture is on the path again. */
+export function scrubTo(t: number): void {
+  pause();
+  leavePoint();
+  setT(Math.min(1, Math.max(0, t)));
+}
+
+/** A point that was picked off the path is let go; another family's plane gives way to the morph's. */
+function leavePoint(): void {
+  const { at, ...view } = locusView.peek();
+  if (at === undefined && view.family === "morph") return;
+  const { locus: _, ...rest } = scene.peek();
+  replace(view.family === "morph" ? { ...rest, locus: view } : rest);
 }

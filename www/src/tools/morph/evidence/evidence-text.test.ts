@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Connectedness } from "#wasm/api";
-import { accountOf, addressWords, checkWords, clusterWords, gapWords, linkWords } from "./words";
+import { accountOf, addressWords, checkWords, clusterWords, gapWords, linkWords } from "./evidence-text";
 
 const answer = (of: Partial<Connectedness>): Connectedness => ({
   verdict: "touching",
