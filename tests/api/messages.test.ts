@@ -125,8 +125,8 @@ const FOR_PROGRAMS: readonly (readonly [where: string, text: RegExp])[] = [
   ["shell/publish/ShareDialog.tsx", /<|style=/],
   ["shell/publish/folder.ts", /[<>{}]|^light dark$|^autoplay loop$/],
   // Names of gestures.
-  ["tools/deform/mesh/handles/HandleFields.tsx", /^mesh field$/],
-  ["tools/deform/mesh/handles/keyboard.ts", /^mesh keys$/],
+  ["tools/deform/mesh/GridPanel.tsx", /^mesh field$/],
+  ["tools/deform/mesh/keyboard.ts", /^mesh keys$/],
   ["stage/handles/held.ts", /^turn keys$/],
   ["tools/space/", /^(bend (size|move)|space key)$/],
   ["tools/fit/", /^(drag|keys) (factor|knot|point)$/],

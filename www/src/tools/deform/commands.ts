@@ -7,11 +7,10 @@ import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
 import { pausePhase, playPhase, scrubPhase } from "./clock";
-import { gallery } from "./dialogs";
 import { unbent } from "./facts";
-import { hand } from "./mesh/handles/hand";
-import { gridShown } from "./mesh/shown";
+import { gridShown, hand } from "./mesh/mesh-state";
 import * as messages from "./messages";
+import { gallery } from "./shape/ShapePanel";
 import { addKey } from "./strip/TimeOptions";
 import { withColouring } from "./tint";
 

@@ -8,7 +8,7 @@ import { wordsOf } from "#document/notice";
 import { standIn } from "#document/stand-in";
 import type { Bend, BendFacts, MapRow } from "#wasm/api";
 import { bends } from "#wasm/bend";
-import { DEEPEST, roughFrom } from "./changes";
+import { DEEPEST, roughFrom } from "./deform-edits";
 
 /** The maps that are bent. */
 export const maps: ReadonlySignal<MapRow[]> = computed(() =>

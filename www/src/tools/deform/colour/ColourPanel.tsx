@@ -10,14 +10,14 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { ColourField } from "#ui/panel/ColourField";
 import { Fold } from "#ui/panel/Fold";
 import type { Colouring, Tint } from "#wasm/api";
-import { MOST_ROUGHNESS } from "../changes";
 import deformCss from "../deform.module.css";
+import { MOST_ROUGHNESS } from "../deform-edits";
+import { roughnessWords } from "../deform-text";
 import { deepest, ringed, rough } from "../facts";
-import { chosen } from "../mesh/handles/chosen";
+import { chosen } from "../mesh/mesh-state";
 import * as messages from "../messages";
-import { DetailField, LocalityField } from "../settings/ScaleFields";
+import { DetailField, LocalityField } from "../settings/fields";
 import { blended, cornersOf, firstTint, isBlended, withColouring, withCorner } from "../tint";
-import { roughnessWords } from "../words";
 
 const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [
   { value: "map", label: messages.map, description: messages.oneColourForEach },

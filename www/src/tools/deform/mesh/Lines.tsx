@@ -2,11 +2,11 @@ import { computed } from "@preact/signals";
 import { bentAt, type GridLine, gridLines } from "#geometry/bezier";
 import type { Screen } from "#geometry/coordinates";
 import { stageSize } from "#stage/view";
-import { mesh } from "./document";
+import { symmetry } from "./edit";
 import { handlesOf, LINES, onStage } from "./hit";
 import css from "./mesh.module.css";
+import { mesh } from "./mesh-state";
 import { frame, grip, under } from "./pointer";
-import { symmetry } from "./symmetry";
 
 const grid = computed(() => gridLines(mesh.value, LINES));
 

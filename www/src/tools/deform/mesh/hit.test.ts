@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { screen } from "#geometry/coordinates";
-import { neighbour } from "./handles/keyboard";
 import { inPlane, inside, nearest } from "./hit";
+import { neighbour } from "./keyboard";
 
 const POINTS = [screen(0, 0), screen(10, 0), screen(10, 40)];
 

@@ -10,15 +10,12 @@ import { placeAt } from "#geometry/bezier";
 import { type Screen, screen } from "#geometry/coordinates";
 import type { Point } from "#geometry/mesh";
 import { effectiveView } from "#stage/view";
+import { handleWords } from "../deform-text";
 import * as messages from "../messages";
-import { mesh, setMoves } from "./document";
 import { pulled, shifted } from "./edit";
-import { choose, chosen, clearChosen, toggle } from "./handles/chosen";
-import { hand } from "./handles/hand";
-import { focusHandle } from "./handles/keyboard";
-import { handleWords } from "./handles/words";
 import { crossingAt, handlesOf, inPlane, inside, nearest, onPlane } from "./hit";
-import { gridShown } from "./shown";
+import { focusHandle } from "./keyboard";
+import { choose, chosen, clearChosen, gridShown, hand, mesh, setMoves, toggle } from "./mesh-state";
 
 /** How near a press must be, in CSS pixels: half of what a finger needs, and less where a pointer is fine. */
 const REACH = { finger: 22, mouse: 14, crossing: 7 };

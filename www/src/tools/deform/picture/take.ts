@@ -1,11 +1,52 @@
-import { boxAround, changeDeformation, deformation } from "#document/deform/bend";
-import { type Photograph, pictureMaps, showPicture } from "#document/deform/picture";
+import { aroundStanding, boxAround, changeDeformation, deformation } from "#document/deform/bend";
+import { ownPicture, type Photograph, photograph, pictureMaps, showPicture } from "#document/deform/picture";
 import { announce, notify } from "#document/notice";
+import type { Deformation } from "#wasm/api";
 import { smallBitmap } from "#workers/image/decode";
 import { HEAD_BYTES, type Header, readHeader } from "#workers/image/header";
-import { inBox } from "../changes";
+import { inWords, MOST_MEGAPIXELS, shortName as shortOf } from "#workers/image/limits";
+import { otherWords } from "#workers/image/signature";
+import { inBox } from "../deform-edits";
 import * as messages from "../messages";
-import { damaged, kept, LONGEST, refusal, shortName } from "./words";
+
+/** The longest side that is kept, in pixels. */
+const LONGEST = 2048;
+
+const STAYS = messages.pictureOnStageUnchanged;
+
+/** Why a file is not taken, or null if it may be decoded. */
+export function refusal(name: string, { kind, other, size }: Header): string | null {
+  if (kind === "svg") {
+    return messages.isDrawing(name, STAYS);
+  }
+  if (other !== undefined) return messages.isOther(name, otherWords(other), STAYS);
+  if (kind === "unknown") {
+    return messages.isUnknown(name, STAYS);
+  }
+  // An AVIF may not say; whatever else does not is not whole.
+  if (!size) return kind === "avif" ? null : damaged(name);
+  const megapixels = (size.width * size.height) / 1e6;
+  if (megapixels > MOST_MEGAPIXELS) {
+    return messages.isTooLarge(name, inWords(size), MOST_MEGAPIXELS, STAYS);
+  }
+  return null;
+}
+
+function damaged(name: string): string {
+  return messages.isDamaged(name, STAYS);
+}
+
+/** The size that is kept: no side longer than `LONGEST`, none shorter than a pixel. */
+export function kept(width: number, height: number): { width: number; height: number } {
+  const factor = Math.min(1, LONGEST / Math.max(width, height, 1));
+  const side = (pixels: number) => Math.max(1, Math.round(pixels * factor));
+  return { width: side(width), height: side(height) };
+}
+
+/** A name that fits a line. */
+export function shortName(name: string): string {
+  return shortOf(name, messages.picture);
+}
 
 let latest = 0;
 
@@ -67,4 +108,20 @@ async function decode(file: Blob, name: string, { kind, size }: Header): Promise
   context.drawImage(bitmap, 0, 0);
   bitmap.close();
   return { pixels: context.getImageData(0, 0, width, height).data, width, height, name };
+}
+
+/** Bends a shape, or a picture, with the grid round it. */
+export function setSubject(subject: Deformation["subject"]): void {
+  changeDeformation((now) => {
+    const box = subject === "picture" ? boxAround(pictureMaps.peek()) : aroundStanding.peek();
+    return inBox({ ...now, subject }, box);
+  });
+}
+
+/** A photograph that was opened takes the place of what is bent. */
+export async function openPhotograph(file: File): Promise<void> {
+  const before = photograph.peek();
+  await takeFile(file, file.name);
+  if (photograph.peek() !== before && ownPicture.peek() && deformation.peek().subject !== "picture")
+    setSubject("picture");
 }

@@ -8,13 +8,12 @@ import { SliderField } from "#ui/controls/SliderField";
 import { SliderMark } from "#ui/controls/SliderMarks";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
-import { MOST_ROUGHNESS, withCorners, withDetail, withLocality } from "../changes";
 import deformCss from "../deform.module.css";
+import { MOST_ROUGHNESS, withCorners, withDetail, withLocality } from "../deform-edits";
+import { roughnessWords } from "../deform-text";
 import { deepest, problem, rough } from "../facts";
 import * as messages from "../messages";
-import { roughnessWords } from "../words";
-import { PlainButton } from "./PlainButton";
-import { DetailField, LocalityField } from "./ScaleFields";
+import { DetailField, LocalityField, PlainButton } from "./fields";
 
 const kb = computed(() => deformation.value.kb);
 const ke = computed(() => deformation.value.ke);

@@ -1,4 +1,4 @@
-import { computed } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { standInFilm, strip, thumbnails } from "#compute/results";
 import { PresetGallery } from "#curve/PresetGallery";
 import { sameCurves } from "#document/curve/changes";
@@ -18,13 +18,15 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { mapsNote } from "#ui/shapes/ShapeGrid";
 import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
-import { choose, inBox, onPath, sameBox, sameShapes } from "../changes";
 import deformCss from "../deform.module.css";
-import { gallery } from "../dialogs";
+import { choose, inBox, onPath, sameBox, sameShapes } from "../deform-edits";
 import { around } from "../facts";
 import * as messages from "../messages";
 import { PicturePanel } from "../picture/PicturePanel";
-import { setSubject } from "../subject";
+import { setSubject } from "../picture/take";
+
+/** Whether the gallery is open. */
+export const gallery = signal(false);
 
 const subject = computed(() => deformation.value.subject);
 const parts = computed(() => deformation.value.parts);

@@ -5,11 +5,11 @@ import { endGesture } from "#document/scene";
 import { Button, IconButton } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { PercentField } from "#ui/strip/PercentField";
-import { withKey, withKeyAt, withLoop, withoutKey } from "../changes";
 import { pausePhase, scrubPhase } from "../clock";
+import { withKey, withKeyAt, withLoop, withoutKey } from "../deform-edits";
+import { percentWords } from "../deform-text";
 import * as messages from "../messages";
 import css from "./strip.module.css";
-import { percentWords } from "./words";
 
 /** The numbers of the time line, and what can be done with its keys. */
 export function TimeOptions() {

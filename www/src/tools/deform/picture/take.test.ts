@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { readHeader } from "#workers/image/header";
-import { kept, refusal as refusalOf, shortName } from "./words";
+import { kept, refusal as refusalOf, shortName } from "./take";
 
 const refusal = (name: string, head: Uint8Array) => refusalOf(name, readHeader(head));
 

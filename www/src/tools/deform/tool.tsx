@@ -1,20 +1,49 @@
-/**
- * The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first
- * opened.
- */
+import "./mesh/seen";
+import "#ui/panel/panel.css";
+import { ownColours } from "#document/colours";
+import { standing } from "#document/morph";
+import { ownWeights } from "#document/own-weights";
+import { scene } from "#document/scene";
+import type { Tool } from "#stage/tool";
 import { PanelFoot } from "#ui/panel/PanelFoot";
 import { ColourPanel } from "./colour/ColourPanel";
+import { commands, timeline } from "./commands";
+import css from "./deform.module.css";
 import { ringed, unbent } from "./facts";
+import { films } from "./film";
 import { GridPanel } from "./mesh/GridPanel";
+import { DeformOverlay } from "./mesh/Overlay";
+import * as messages from "./messages";
 import { MotionPanel } from "./motion/MotionPanel";
+import { openPhotograph } from "./picture/take";
 import { BendPanel } from "./settings/BendPanel";
-import { ContinuityFold, SpinFold } from "./settings/Folds";
+import { ContinuityFold, SpinFold } from "./settings/fields";
 import { Gallery, ShapePanel } from "./shape/ShapePanel";
 import { Start, StartOver } from "./start/Start";
 import { Unbent } from "./start/Unbent";
-import "#ui/panel/panel.css";
-import css from "./deform.module.css";
-import * as messages from "./messages";
+import { DeformStrip } from "./strip/DeformStrip";
+
+export const tool: Tool = {
+  Overlay: DeformOverlay,
+  Panel: DeformPanel,
+  Strip: DeformStrip,
+  timeline,
+  commands: () => commands,
+  films,
+  maps: () => [
+    {
+      label: messages.shape,
+      name: scene.peek().a.name,
+      maps: standing.peek(),
+      weights: ownWeights.peek(),
+      palette: ownColours(scene.peek()),
+    },
+  ],
+  open: openPhotograph,
+};
+
+// The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first
+// opened.
 
 /** Everything beside the picture: what is bent, how its parts answer, how it moves, and its colours. */
 export function DeformPanel() {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { hullOf } from "./hull";
+import { hullOf } from "./Start";
 
 describe("the hull of points", () => {
   it("goes round the outer ones counter-clockwise, without those on its sides", () => {

@@ -1,7 +1,14 @@
 import { describe, expect, it } from "vitest";
 import { AT_REST } from "#document/deform/bend";
-import { momentWords } from "./strip/words";
-import { HOLDS, holdWords, localityWords, roughnessWords } from "./words";
+import {
+  HOLDS,
+  handleWords,
+  holdWords,
+  localityWords,
+  momentWords,
+  movedWords,
+  roughnessWords,
+} from "./deform-text";
 
 describe("words of the sliders", () => {
   it("say where it turns rough, and where it is plain", () => {
@@ -33,4 +40,22 @@ it("says whether there is a key at the moment", () => {
   expect(momentWords({ ...AT_REST, keys, phase: 0.5 })).toBe("50%, keyframe 2 of 2");
   expect(momentWords({ ...AT_REST, keys, phase: 0.3 })).toBe("30%, between keyframes");
   expect(momentWords(AT_REST)).toBe("0%, nothing moves");
+});
+
+describe("what is said of a handle", () => {
+  it("counts from the left and from below", () => {
+    const mesh = { columns: 4, rows: 4, box: [0, 0, 1, 1] as [number, number, number, number], moves: [] };
+    expect(handleWords(mesh, 0)).toBe("Column 1, row 1: at rest");
+    expect(handleWords({ ...mesh, moves: Array.from({ length: 32 }, (_, i) => i / 100) }, 9)).toBe(
+      "Column 2, row 3: moved 0.18 right, 0.19 up",
+    );
+  });
+
+  it("says the way, and what is small by its first figures", () => {
+    expect(movedWords(-0.5, 0)).toBe("moved 0.5 left");
+    expect(movedWords(0, -12.25)).toBe("moved 12.25 down");
+    expect(movedWords(0.00123, 0)).toBe("moved 0.0012 right");
+    expect(movedWords(0, 0)).toBe("at rest");
+    expect(movedWords(Number.NaN, -0)).toBe("at rest");
+  });
 });

@@ -16,7 +16,7 @@ import {
   withLocality,
   withLoop,
   withoutKey,
-} from "./changes";
+} from "./deform-edits";
 
 const still = (x: number) => new Array<number>(32).fill(x);
 const four: Deformation = {

@@ -3,11 +3,10 @@
 import { announce } from "#document/notice";
 import { type Mesh, type Point, sizeOf } from "#geometry/mesh";
 import { latinKey } from "#ui/focus";
-import * as messages from "../../messages";
-import { mesh } from "../document";
-import { nudge, resetChosen } from "../edit";
-import { choose, chosen, clearChosen, lookAt, toggle } from "./chosen";
-import { handleWords, nameOf } from "./words";
+import { handleWords, nameOf } from "../deform-text";
+import * as messages from "../messages";
+import { nudge, resetChosen } from "./edit";
+import { choose, chosen, clearChosen, lookAt, mesh, toggle } from "./mesh-state";
 
 export const HINT =
   messages.rowsCountFromBottom +

@@ -1,4 +1,0 @@
-import { signal } from "@preact/signals";
-
-/** Whether the gallery is open. */
-export const gallery = signal(false);

@@ -1,4 +1,0 @@
-import { signal } from "@preact/signals";
-
-/** Whether the grid lies over the picture: both its lines and its handles. */
-export const gridShown = signal(true);
