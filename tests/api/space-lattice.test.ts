@@ -12,10 +12,10 @@ import {
   spaceFrame,
   timeline,
 } from "../../www/src/document/space/space";
-import { atRest, withMoved } from "../../www/src/tools/space/bend/changes";
-import { bendObject, bentNow } from "../../www/src/tools/space/bend/keyed";
-import { withoutObject } from "../../www/src/tools/space/shape/changes";
-import { keyWords } from "../../www/src/tools/space/time/words";
+import { atRest, withMoved } from "../../www/src/tools/space/bend/bend-edits";
+import { bendObject, bentNow } from "../../www/src/tools/space/bend/now";
+import { withoutObject } from "../../www/src/tools/space/shape/object-edits";
+import { keyWords } from "../../www/src/tools/space/time/time-text";
 import type { SpaceBend } from "../../www/src/wasm/api";
 import { shownObject } from "../../www/src/workers/space/shown";
 

@@ -12,7 +12,7 @@ vi.mock("../../www/src/wasm/module", () => ({
 const { redo, scene, start, undo } = await import("../../www/src/document/scene");
 const state = await import("../../www/src/document/space/space");
 const edits = await import("../../www/src/document/space/edits");
-const { standFor } = await import("../../www/src/tools/space/stage/samples");
+const { standFor } = await import("../../www/src/tools/space/stage/sight");
 const { showsAll, wholeView } = await import("../../www/src/tools/space/stage/camera");
 
 const first = { ...scene.peek() };

@@ -14,7 +14,7 @@ import { Frames, frameRecord } from "#workers/space/frames";
 import * as messages from "./messages";
 import { ground } from "./stage/sight";
 import { stageSize } from "./stage/state";
-import { fly } from "./time/flight/fly";
+import { fly } from "./time/flight/flight";
 import { MOST_BYTES, savedText } from "./time/saved/saved";
 
 export async function films(): Promise<Films> {

@@ -4,7 +4,7 @@ import { download, plainName, pngOf } from "#ui/files/download";
 import { whileDrawn } from "#ui/files/saving";
 import { layOn } from "#workers/film/opaque";
 import { pictureOf } from "#workers/space/complete-picture";
-import { PAGE } from "./light/background";
+import { PAGE } from "./light/light";
 import { colours, ground, sight } from "./stage/sight";
 import { stageSize } from "./stage/state";
 

@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { asExample, atRest, EXAMPLES } from "#tools/space/bend/changes";
+import { asExample, atRest, EXAMPLES } from "#tools/space/bend/bend-edits";
 import { Button } from "#ui/controls/Button";
 import type { MapRow3, Point3, SpaceBend, SpaceShown } from "#wasm/api";
 import { loadSpace, solid } from "#wasm/space";

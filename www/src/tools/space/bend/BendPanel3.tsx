@@ -28,7 +28,7 @@ import {
   withLocality,
   withMoved,
   withSizes,
-} from "./changes";
+} from "./bend-edits";
 import { bend, changeBend, handles, lead, room, sidesOf, sizeOf } from "./now";
 
 /** As deep as it begins, where the shape allows it. */

@@ -8,7 +8,7 @@ import { spaceTask } from "#workers/space/client";
 import * as messages from "../messages";
 import { made } from "../shape/now";
 import css from "./bend.module.css";
-import { foldedOf } from "./changes";
+import { foldedOf } from "./bend-edits";
 import { bentWords } from "./holds";
 import { bend, room, sidesOf, sizeOf } from "./now";
 

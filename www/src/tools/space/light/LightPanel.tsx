@@ -13,10 +13,18 @@ import { solid } from "#wasm/space";
 import * as messages from "../messages";
 import shapeCss from "../shape/shape.module.css";
 import { ground } from "../stage/sight";
-import { type Choice, choiceOf, chosenBackground } from "./background";
+import {
+  type Choice,
+  choiceOf,
+  chosenBackground,
+  degrees,
+  frontWords,
+  radians,
+  shareWords,
+  sideWords,
+} from "./light";
 import lightCss from "./light.module.css";
 import { ViewPanel } from "./ViewPanel";
-import { degrees, frontWords, radians, shareWords, sideWords } from "./words";
 
 const light = computed(() => space.value?.light ?? null);
 

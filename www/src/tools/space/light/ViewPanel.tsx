@@ -9,8 +9,8 @@ import type { Point3, SpaceView } from "#wasm/api";
 import * as messages from "../messages";
 import { changeView, holdEye } from "../stage/actions";
 import { eyeOf, LEAST_ANGLE, MOST_ANGLE, withAngle, wrapped } from "../stage/camera";
+import { degrees, pointWords, radians } from "./light";
 import css from "./light.module.css";
-import { degrees, pointWords, radians } from "./words";
 
 const AXES = ["x", "y", "z"] as const;
 const eye = computed(() => (spaceView.value ? pointWords(eyeOf(spaceView.value)) : ""));

@@ -13,8 +13,8 @@ import * as messages from "../messages";
 import { Gallery } from "../shape/object/Gallery";
 import { presets } from "../shape/object/presets";
 import { makePictures, pictures } from "../shape/object/thumbs";
-import { leadingTo, swapped } from "./changes";
 import { type Goal, goalsOf, missingWords } from "./goals";
+import { leadingTo, swapped } from "./morph-edits";
 import morph3Css from "./morph3.module.css";
 
 /** The two ends of the morph, with the arrow that swaps them. */

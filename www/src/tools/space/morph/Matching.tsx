@@ -7,7 +7,7 @@ import { Fold } from "#ui/panel/Fold";
 import { HalfTurns } from "#ui/panel/HalfTurns";
 import type { Mode } from "#wasm/api";
 import * as messages from "../messages";
-import { exchanged, flatPairs, inOrder, orderNow, turnedFurther, withMode, withOrder } from "./changes";
+import { exchanged, flatPairs, inOrder, orderNow, turnedFurther, withMode, withOrder } from "./morph-edits";
 import css from "./morph3.module.css";
 import { from, halfTurns, morph, nearest } from "./work";
 

@@ -2,16 +2,18 @@ import { endGesture } from "#document/scene";
 import { timeline } from "#document/space/space";
 import { fixed } from "#format/numbers";
 import { percent } from "#format/path-words";
+import { reasonWords } from "#format/reason";
+import { verdictWords } from "#format/verdict";
 import { IconButton } from "#ui/controls/Button";
 import { Slider } from "#ui/controls/Slider";
 import { SliderBreaks } from "#ui/controls/SliderMarks";
+import { VerdictSign } from "#ui/shapes/VerdictSign";
 import { PercentField } from "#ui/strip/PercentField";
 import * as messages from "../messages";
-import { Holds } from "./Holds";
 import css from "./morph3.module.css";
 import { morphPlaying, pause, play } from "./play";
-import { goTo, stateNow } from "./way";
-import { check, moment, uv } from "./work";
+import { goTo, stateNow } from "./waypoints";
+import { check, judged, moment, uv } from "./work";
 
 /** Where along the path it is, and whether what is seen there is in one piece. */
 export function MomentPanel() {
@@ -59,5 +61,27 @@ export function MomentPanel() {
       {keyed && <p class="notes">{messages.timelineControlsThisWhat}</p>}
       <Holds />
     </section>
+  );
+}
+
+/** Whether what is seen is in one piece, in words; and why, where there is a reason. */
+function Holds() {
+  const now = judged.value;
+  const words = verdictWords(now?.answer ?? null);
+  const reason = now?.answer.reason;
+  return (
+    <div class={css["morph3-holds"]}>
+      <p class={css["morph3-verdict"]} data-stale={now?.stale ? "" : undefined} data-testid="space-verdict">
+        <VerdictSign tone={words.tone} />
+        <strong>{words.text}</strong>
+        {words.aside !== "" && <span class="dim">{words.aside}</span>}
+      </p>
+      {reason && (
+        <details class={css["morph3-why"]}>
+          <summary>{messages.why}</summary>
+          <p class="hint">{reasonWords(reason)}</p>
+        </details>
+      )}
+    </div>
   );
 }

@@ -8,7 +8,7 @@ import { Button } from "#ui/controls/Button";
 import * as messages from "../messages";
 import { PATH } from "./handles";
 import css from "./morph3.module.css";
-import { setKind, way } from "./way";
+import { setKind, way } from "./waypoints";
 import { calledOff, callOff, check, found, lookAgain, morph, pathless, search, searchProblem } from "./work";
 
 /** What the path is, whether it holds, and its waypoints by numbers. */

@@ -10,7 +10,7 @@ import { focusHandle } from "#stage/locus/WayPoints";
 import { EPSILON } from "#workers/lanes/locus-fill";
 import * as messages from "../messages";
 import { Current, Way } from "./handles";
-import { addAt, goTo, pick, place, way } from "./way";
+import { addAt, goTo, pick, place, way } from "./waypoints";
 import { check, locus, locusProblem, morph, pathless, pathPoints } from "./work";
 
 /** How near to the path a press counts as on it, in CSS pixels. */

@@ -3,9 +3,9 @@ import { endGesture } from "#document/scene";
 import type { Uv } from "#geometry/path";
 import { nearestOn } from "#geometry/polyline";
 import { CurrentHandle, focusHandle, WayHandle, type WayPath } from "#stage/locus/WayPoints";
-import { MOST_POINTS } from "./changes";
-import * as changes from "./way";
-import { addHere, goTo, moveTo, removeAt, way } from "./way";
+import { MOST_POINTS } from "./morph-edits";
+import * as changes from "./waypoints";
+import { addHere, goTo, moveTo, removeAt, way } from "./waypoints";
 import { moment, pathPoints, uv } from "./work";
 
 /** The path of a morph in space as its handles and its editor have it. */

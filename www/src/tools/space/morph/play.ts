@@ -3,7 +3,7 @@ import { whilePlaying } from "#document/frames";
 import { endGesture } from "#document/scene";
 import { spacePart, spacePlaying } from "#document/space/space";
 import { advance } from "#geometry/moment";
-import { goTo } from "./way";
+import { goTo } from "./waypoints";
 import { moment } from "./work";
 
 /** Whether the morph runs back and forth. */

@@ -46,7 +46,7 @@ vi.mock("#workers/space/client", () => ({
 }));
 
 const { openSpace, editSpace, space } = await import("#document/space/space");
-const { withMode, withPath } = await import("./changes");
+const { withMode, withPath } = await import("./morph-edits");
 const { callOff, check, found, judged, locus, lookAgain, search, watchMorph } = await import("./work");
 
 const first: Space = {

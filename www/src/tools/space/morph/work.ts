@@ -12,7 +12,7 @@ import { InTurn, isStopped, Latest } from "#workers/lanes/latest";
 import type { LocusSoFar } from "#workers/lanes/locus-fill";
 import { spaceTask } from "#workers/space/client";
 import type { MorphInputs, PathFound, PathTold } from "#workers/space/morph";
-import { MOST_POINTS, optionsOf, withPath } from "./changes";
+import { MOST_POINTS, optionsOf, withPath } from "./morph-edits";
 
 export const morph: ReadonlySignal<SpaceMorph | null> = computed(() => space.value?.morph ?? null);
 

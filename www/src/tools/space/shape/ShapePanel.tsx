@@ -5,7 +5,7 @@ import { Fold } from "#ui/panel/Fold";
 import { mapsNote } from "#ui/shapes/ShapeGrid";
 import { FactsPanel } from "./FactsPanel";
 import { MapEditor } from "./maps/MapEditor";
-import { ObjectHand } from "./maps/ObjectHand";
+import { ObjectHand } from "./maps/TwelveFields";
 import * as messages from "./messages";
 import { facts, object, watchRest } from "./now";
 import { ObjectPanel } from "./object/ObjectPanel";

@@ -8,8 +8,8 @@ import { backToFlight, showWhole } from "./actions";
 import { type Ball, eyeOf, sightOf } from "./camera";
 import { sight } from "./sight";
 import css from "./stage.module.css";
+import { insideWords, TROUBLE_WORDS, troubleOf } from "./stage-text";
 import { painted } from "./state";
-import { insideWords, TROUBLE_WORDS, troubleOf } from "./words";
 
 const trouble = computed(() => {
   const now = sight.value;

@@ -11,10 +11,10 @@ import { stageKey, stageKeyUp } from "./keys";
 import { Messages } from "./Messages";
 import { colours, ground, sight, watchGround } from "./sight";
 import css from "./stage.module.css";
+import { countsWords, handWords, statusWords } from "./stage-text";
 import { painted, setPainter, spaceDrawn, stageSize } from "./state";
 import { SpacePainter } from "./surface/painter";
 import { Toolbar } from "./Toolbar";
-import { countsWords, handWords, statusWords } from "./words";
 
 const LABEL = messages.shapesInSpaceArrow;
 

@@ -1,4 +1,5 @@
 /** What the stage of space is up to: for its readouts, for files and for the tests. */
+
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { spaceFrame, spaceView } from "#document/space/space";
 import type { Size } from "#geometry/coordinates";
@@ -42,3 +43,8 @@ export function objectUnder(x: number, y: number): number | null {
 export function loseSpace(): void {
   painter.peek()?.forceLoss();
 }
+
+export type Part = "shape" | "bend" | "morph" | "light" | "time";
+
+/** Which part of the panel is open: a way of looking, no part of the document. */
+export const part = signal<Part>("shape");

@@ -3,18 +3,16 @@ import { space, timeline } from "#document/space/space";
 import { Button, IconButton } from "#ui/controls/Button";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { scrubSpace } from "./clock";
-import { fly } from "./flight/fly";
-import { EaseMenu } from "./keys/EaseMenu";
-import { KeyOptions } from "./keys/KeyOptions";
+import { fly } from "./flight/flight";
+import { EaseMenu, KeyOptions } from "./keys/KeyOptions";
 import { keyHere } from "./keys/Keys";
 import { attempt, removeKey } from "./keys/keys";
-import { LoopRow } from "./LoopChoice";
 import * as messages from "./messages";
 import { openAnimation } from "./saved/open";
-import { TimeNumbers } from "./TimeNumbers";
+import { LoopRow, TimeNumbers } from "./TimeFields";
 import { ExportButton } from "./TimeStrip";
 import css from "./time.module.css";
-import { easeWords, keyWords, secondsWords } from "./words";
+import { easeWords, keyWords, secondsWords } from "./time-text";
 
 const COURSES = [
   { value: "smooth", label: messages.smooth, description: messages.withoutJerksAtKeyframes },

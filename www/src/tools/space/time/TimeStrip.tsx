@@ -1,24 +1,25 @@
-import { PlayButton } from "#ui/strip/PlayButton";
 import "#ui/strip/strip.css";
 import { useEffect, useState } from "preact/hooks";
-import { EMPTY_LINE } from "#document/space/edits";
+import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { moment, space, spacePlaying, timeline } from "#document/space/space";
 import { filmProgress, openFilm } from "#film/open";
 import { Button } from "#ui/controls/Button";
 import { Slider } from "#ui/controls/Slider";
 import { useOwnId } from "#ui/id";
 import { narrow } from "#ui/media";
+import { Menu } from "#ui/overlay/Menu";
+import { PlayButton } from "#ui/strip/PlayButton";
 import { pauseSpace, scrubSpace, togglePlay } from "./clock";
-import { fly } from "./flight/fly";
+import { fly } from "./flight/flight";
 import { KeyOptions, SetKey } from "./keys/KeyOptions";
 import { Keys } from "./keys/Keys";
+import { attempt, removeAllKeys, stretch } from "./keys/keys";
 import { watchKeys } from "./keys/pictures";
-import { LoopMenu } from "./LoopChoice";
 import * as messages from "./messages";
-import { TimeMenu } from "./TimeMenu";
-import { TimeNumbers } from "./TimeNumbers";
+import { openAnimation } from "./saved/open";
+import { LoopMenu, TimeNumbers } from "./TimeFields";
 import css from "./time.module.css";
-import { momentWords } from "./words";
+import { momentWords } from "./time-text";
 
 /** Time: play, scrub, and the keys. */
 export function TimeStrip() {
@@ -130,5 +131,35 @@ export function ExportButton() {
     >
       {done === null ? messages.exportLabel : messages.filmPercent(Math.floor(100 * done))}
     </Button>
+  );
+}
+
+/** What else can be done with time. `all` also has what stands beside it where there is room. */
+function TimeMenu({ all = false }: { all?: boolean }) {
+  const line = timeline.value;
+  const course = (to: "smooth" | "straight", label: string) => ({
+    label,
+    disabled: !line,
+    ...(line?.course === to ? { icon: "check" as const } : {}),
+    onSelect: () =>
+      attempt(() => changeTimeline((now) => (now.course === to ? now : { ...now, course: to }))),
+  });
+  return (
+    <div class={css["time-menu"]}>
+      <Menu
+        label={messages.moreOptionsForTime}
+        items={[
+          { label: messages.flyThrough, onSelect: () => fly("through") },
+          { label: messages.flyAround, onSelect: () => fly("around") },
+          course("smooth", messages.smoothAtKeyframes),
+          course("straight", messages.straightBetweenKeyframes),
+          { label: messages.halfSpeed, disabled: !line, onSelect: () => stretch(1.5) },
+          { label: messages.doubleSpeed, disabled: !line, onSelect: () => stretch(0.5) },
+          { label: messages.openSavedAnimation, onSelect: openAnimation },
+          ...(all ? [{ label: messages.exportLabel, icon: "save" as const, onSelect: openFilm }] : []),
+          { label: messages.removeAllKeyframes, icon: "bin", disabled: !line, onSelect: removeAllKeys },
+        ]}
+      />
+    </div>
   );
 }

@@ -5,7 +5,7 @@ import { reducedMotion } from "#document/preferences";
 import { EMPTY_LINE } from "#document/space/edits";
 import { moment, setMoment, spacePlaying, timeline } from "#document/space/space";
 import type { SpaceTimeline } from "#wasm/api";
-import { momentIn } from "./changes";
+import { momentIn } from "./time-edits";
 
 /** Where the moment is after `dt` seconds, and which way it goes from there. Pure, for the tests. */
 export function advance(

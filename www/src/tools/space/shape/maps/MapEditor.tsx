@@ -10,11 +10,11 @@ import { Problem } from "#ui/panel/Problem";
 import { MapList, MapTools } from "#ui/shapes/MapList";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import { MOST_MAPS, withShape } from "../changes";
 import * as messages from "../messages";
 import { factsOf, object } from "../now";
+import { Swatch } from "../object/ObjectPanel";
 import { presets } from "../object/presets";
-import { Swatch } from "../object/Swatch";
+import { MOST_MAPS, withShape } from "../object-edits";
 import shapeCss from "../shape.module.css";
 import { TwelveFields } from "./TwelveFields";
 

@@ -1,8 +1,17 @@
+import { placeObject } from "#document/space/edits";
+import { chosen, IDENTITY } from "#document/space/space";
+import { determinant3 } from "#geometry/maps/affine3";
 import { NumberField } from "#ui/controls/NumberField";
 import { useProblems } from "#ui/controls/problems";
+import { HandPanel } from "#ui/hand/HandPanel";
+import { handOn } from "#ui/hand/hold";
+import { MatrixFields } from "#ui/hand/MatrixFields";
+import { ParameterTable } from "#ui/hand/ParameterTable";
 import equationsCss from "#ui/shapes/equations.module.css";
 import type { MapRow3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 import * as messages from "../messages";
+import { facts, factsOf, made, moved, parameters } from "../now";
 
 interface TwelveFieldsProps {
   map: MapRow3;
@@ -45,5 +54,42 @@ export function TwelveFields({ map, onChange, onDone }: TwelveFieldsProps) {
       ))}
       {below}
     </div>
+  );
+}
+
+// The chosen object, taken in hand.
+
+const hand = handOn<MapRow3>({
+  axes: ["x", "y", "z"],
+  id: () => chosen.value,
+  identity: IDENTITY,
+  moved,
+  ball: facts,
+  ballNow: () => factsOf(parameters.peek()),
+  transform: (by) => by,
+  compose: (outer, inner) => solid.compose3(outer, inner),
+  place: placeObject,
+});
+
+export function ObjectHand() {
+  return (
+    <>
+      <HandPanel
+        of={hand}
+        as="made"
+        matrix={
+          <MatrixFields
+            key={chosen.value}
+            moved={moved.value}
+            fields={(map, onChange) => <TwelveFields map={map} onChange={onChange} onDone={() => {}} />}
+            sizes={messages.volumes}
+            determinant={determinant3}
+            name="object"
+            place={placeObject}
+          />
+        }
+      />
+      <ParameterTable made={made.value} now={parameters.value} moved={moved.value} as="made" />
+    </>
   );
 }

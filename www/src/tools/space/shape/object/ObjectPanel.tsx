@@ -1,22 +1,23 @@
 import { useEffect, useState } from "preact/hooks";
 import { announce } from "#document/notice";
+import { dark } from "#document/preferences";
 import { endGesture } from "#document/scene";
 import { changeSpace, reshapeSpace } from "#document/space/edits";
 import { choose, chosen, space } from "#document/space/space";
 import { GREY } from "#style/colours";
+import { palette } from "#style/palette";
 import { Button, IconButton } from "#ui/controls/Button";
 import { askForFile } from "#ui/files/door";
 import { useOwnId } from "#ui/id";
 import { mapsNote } from "#ui/shapes/ShapeGrid";
 import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
-import { MOST_OBJECTS, withoutObject, withTint } from "../changes";
 import * as messages from "../messages";
 import { object } from "../now";
+import { MOST_OBJECTS, withoutObject, withTint } from "../object-edits";
 import shapeCss from "../shape.module.css";
 import { saveFile } from "./files";
 import { Gallery } from "./Gallery";
-import { Swatch } from "./Swatch";
 import type { How } from "./take";
 import { makePictures, pictures } from "./thumbs";
 
@@ -138,3 +139,15 @@ function ObjectTools({ index, tint, name }: { index: number; tint: string | unde
 }
 
 /** The systems of a file with several. */
+
+/** The number of a map or an object in its colour. */
+export function Swatch({ map, tint }: { map: number; tint?: string | undefined }) {
+  const colours = palette(dark.value ? "dark" : "light");
+  return (
+    <span
+      class={shapeCss["solid-swatch"]}
+      aria-hidden="true"
+      style={{ background: tint ?? colours[map % colours.length] ?? "gray" }}
+    />
+  );
+}

@@ -6,9 +6,9 @@ import { changeSpace, type Look, reshapeSpace, startWith } from "#document/space
 import { choose, chosen, setView, space, spaceFrame } from "#document/space/space";
 import type { SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";
-import { around, beside, MOST_OBJECTS, withObject, withShape } from "../changes";
 import * as messages from "../messages";
 import { factsOf } from "../now";
+import { around, beside, MOST_OBJECTS, withObject, withShape } from "../object-edits";
 
 /** Alone, with neither morph nor time line; in place of the chosen object; or beside what there is. */
 export type How = "alone" | "instead" | "beside";

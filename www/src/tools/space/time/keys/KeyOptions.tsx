@@ -2,12 +2,14 @@ import { endGesture } from "#document/scene";
 import { changeTimeline } from "#document/space/edits";
 import { lookingAround, space, timeline } from "#document/space/space";
 import { Button, IconButton } from "#ui/controls/Button";
-import { MOST_KEYS, withKeyAt } from "../changes";
+import { Menu } from "#ui/overlay/Menu";
+import type { SpaceKey } from "#wasm/api";
 import { pauseSpace, scrubSpace } from "../clock";
 import * as messages from "../messages";
-import { MomentField, type Problems } from "../TimeNumbers";
+import { MomentField, type Problems } from "../TimeFields";
 import timeCss from "../time.module.css";
-import { EaseMenu } from "./EaseMenu";
+import { MOST_KEYS, withEase, withKeyAt } from "../time-edits";
+import { EASES, easeWords } from "../time-text";
 import { keyHere } from "./Keys";
 import { attempt, removeKey, setKey } from "./keys";
 
@@ -71,5 +73,22 @@ export function SetKey({ short = false }: { short?: boolean }) {
     >
       {lookingAround.value ? messages.setKeyframeToThis : messages.setKeyframe2}
     </Button>
+  );
+}
+
+/** How it goes on from a key to the next one. */
+export function EaseMenu({ of, index }: { of: SpaceKey; index: number }) {
+  return (
+    <div title={messages.easeFrom(index + 1, easeWords(of.ease))}>
+      <Menu
+        label={messages.easeAfter(index + 1, easeWords(of.ease))}
+        icon="arrow"
+        items={EASES.map(({ value, label }) => ({
+          label,
+          ...(value === of.ease ? { icon: "check" as const } : {}),
+          onSelect: () => attempt(() => changeTimeline((line) => withEase(line, index, value))),
+        }))}
+      />
+    </div>
   );
 }

@@ -1,14 +1,16 @@
 import { computed } from "@preact/signals";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { changeTimeline } from "#document/space/edits";
 import { moment, timeline } from "#document/space/space";
 import { KeyTrack } from "#ui/strip/KeyTrack";
 import type { SpaceTimeline } from "#wasm/api";
-import { keyAt, withKeyAt } from "../changes";
 import { pauseSpace, scrubSpace } from "../clock";
 import * as messages from "../messages";
-import { easeWords, keyWords, secondsWords } from "../words";
-import { KeyPicture } from "./KeyPicture";
+import timeCss from "../time.module.css";
+import { keyAt, withKeyAt } from "../time-edits";
+import { easeWords, keyWords, secondsWords } from "../time-text";
 import { attempt, removeKey } from "./keys";
+import { keyPictures } from "./pictures";
 
 /** The key at the present moment, or -1. */
 export const keyHere = computed(() => (timeline.value ? keyAt(timeline.value, moment.value) : -1));
@@ -58,5 +60,23 @@ export function Keys({ line }: { line: SpaceTimeline }) {
       remove={removeKey}
       Picture={KeyPicture}
     />
+  );
+}
+
+/** What is seen at a key, small. */
+function KeyPicture({ index }: { index: number }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const image = keyPictures.value[index] ?? null;
+  useLayoutEffect(() => {
+    const element = canvas.current;
+    if (!element) return;
+    element.width = image?.width ?? 1;
+    element.height = image?.height ?? 1;
+    if (image) element.getContext("2d")?.putImageData(image, 0, 0);
+  }, [image]);
+  return (
+    <span class={timeCss["key-picture"]} aria-hidden="true">
+      <canvas ref={canvas} />
+    </span>
   );
 }

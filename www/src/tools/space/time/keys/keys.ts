@@ -2,10 +2,10 @@
 import { announce, notify, wordsOf } from "#document/notice";
 import { addKey, changeTimeline, EMPTY_LINE, endTimeline } from "#document/space/edits";
 import { moment, space, timeline } from "#document/space/space";
-import { keyAt, MOST_KEYS, momentIn, nextKey, stretched, withoutKey } from "../changes";
 import { pauseSpace, scrubSpace } from "../clock";
 import * as messages from "../messages";
-import { keyWords, secondsWords } from "../words";
+import { keyAt, MOST_KEYS, momentIn, nextKey, stretched, withoutKey } from "../time-edits";
+import { keyWords, secondsWords } from "../time-text";
 
 /** Does something to the document, or says why it could not be done. Whether it was. */
 export function attempt(change: () => void): boolean {

@@ -2,9 +2,8 @@
 
 import type { MapRow3, Repeat, Space, SpaceFrame, SpaceKey, SpaceView } from "#wasm/api";
 import { type FrameRecord, frameRecord } from "#workers/space/frames";
-import { MOST_KEYS, SHORTEST } from "../changes";
 import * as messages from "../messages";
-import { viewIn } from "./saved-view";
+import { MOST_KEYS, SHORTEST } from "../time-edits";
 
 /** The parameters of every frame, as a file has them. */
 export interface FramesRead {
@@ -142,4 +141,18 @@ export function keysOf(
       timeline: { seconds: length, loop, course: "straight", keys },
     },
   };
+}
+
+/** A view that can be looked from, or nothing. */
+export function viewIn(value: unknown): SpaceView | null {
+  if (typeof value !== "object" || value === null) return null;
+  const { target, distance, turn, tilt, angle, holds } = value as Record<string, unknown>;
+  const number = (x: unknown): x is number =>
+    typeof x === "number" && Number.isFinite(x) && Math.abs(x) < 1e9;
+  if (!Array.isArray(target) || target.length !== 3 || !target.every(number)) return null;
+  if (!number(distance) || distance <= 0 || !number(turn) || !number(tilt)) return null;
+  if (!number(angle) || angle <= 0 || angle >= Math.PI) return null;
+  const [x, y, z] = target as [number, number, number];
+  const view: SpaceView = { target: [x, y, z], distance, turn, tilt, angle };
+  return holds === "eye" ? { ...view, holds } : view;
 }

@@ -1,8 +1,7 @@
 /** An animation as a file that Frond reads again: shapes and keys, or every frame. */
 import type { Space, SpaceView } from "#wasm/api";
 import * as messages from "../messages";
-import { type FramesRead, readFrames } from "./saved-frames";
-import { viewIn } from "./saved-view";
+import { type FramesRead, readFrames, viewIn } from "./saved-frames";
 
 /** Larger files are none of ours. */
 export const MOST_BYTES = 64e6;

@@ -2,11 +2,15 @@ import { endGesture } from "#document/scene";
 import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { moment, space, timeline } from "#document/space/space";
 import { NumberField, type NumberFieldProps } from "#ui/controls/NumberField";
-import { LONGEST, SHORTEST, secondsProblem, withSeconds } from "./changes";
+import { Menu } from "#ui/overlay/Menu";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import type { Repeat } from "#wasm/api";
 import { pauseSpace, scrubSpace } from "./clock";
 import { attempt } from "./keys/keys";
 import * as messages from "./messages";
 import css from "./time.module.css";
+import { jumpsBack, LONGEST, SHORTEST, secondsProblem, withLoop, withSeconds } from "./time-edits";
+import { LOOPS, loopOf } from "./time-text";
 
 /** Where there is no room at a field, what takes the words about what was wrong. */
 export interface Problems {
@@ -64,6 +68,44 @@ export function TimeNumbers({ terse = true, problems }: Problems & { terse?: boo
         }}
         onDone={endGesture}
       />
+    </>
+  );
+}
+
+const lineNow = () => timeline.value ?? space.value?.timeline ?? EMPTY_LINE;
+
+function choose(loop: Repeat): void {
+  pauseSpace();
+  attempt(() => changeTimeline((now) => withLoop(now, loop)));
+}
+
+/** What comes after the end, where there is little room. */
+export function LoopMenu() {
+  const { loop } = lineNow();
+  const now = loopOf(loop);
+  const what = messages.loopIs(now?.label.toLowerCase() ?? "");
+  return (
+    <div title={what}>
+      <Menu
+        label={what}
+        icon={now?.icon ?? "loop"}
+        items={LOOPS.map(({ value, label }) => ({
+          label,
+          ...(value === loop ? { icon: "check" as const } : {}),
+          onSelect: () => choose(value),
+        }))}
+      />
+    </div>
+  );
+}
+
+/** The same with all choices in view, and with what it comes to. */
+export function LoopRow() {
+  const line = lineNow();
+  return (
+    <>
+      <ChoiceRow label={messages.loop} options={LOOPS} value={line.loop} onChange={choose} />
+      {jumpsBack(line) && <p class="hint">{messages.lastKeyframeAtVery}</p>}
     </>
   );
 }

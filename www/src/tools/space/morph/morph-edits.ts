@@ -1,6 +1,6 @@
 /** What the panel does to the morph, as functions from space to space. */
 import type { MapRow3, Mode, MorphOptions, PathPoint, Shape3, Space, SpaceMorph } from "#wasm/api";
-import { withKeys, withoutMorph } from "../shape/changes";
+import { withKeys, withoutMorph } from "../shape/object-edits";
 
 export { withoutMorph };
 

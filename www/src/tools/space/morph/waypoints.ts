@@ -11,7 +11,7 @@ import { clamp, insert, move, nearestOn, remove } from "#geometry/polyline";
 import { sampleNear } from "#geometry/states";
 import type { PathKind, PathPoint, Space } from "#wasm/api";
 import * as messages from "../messages";
-import { MOST_POINTS, withPath } from "./changes";
+import { MOST_POINTS, withPath } from "./morph-edits";
 import { check, judged, locus, moment, pathPoints, uv } from "./work";
 
 /** Points between the two ends. */

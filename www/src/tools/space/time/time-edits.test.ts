@@ -12,7 +12,7 @@ import {
   withLoop,
   withoutKey,
   withSeconds,
-} from "./changes";
+} from "./time-edits";
 
 const line: SpaceTimeline = {
   seconds: 6,

@@ -13,7 +13,7 @@ import {
   withMode,
   withOrder,
   withPath,
-} from "./changes";
+} from "./morph-edits";
 
 const light: SpaceLight = { paint: "map", side: 0, front: 0.5, ambient: 0.3, hollows: 0.5, fog: 0 };
 const half = (x: number): MapRow3 => [0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, x, 0, 0];

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { countsWords, handWords, insideWords, statusWords, troubleOf } from "./words";
+import { countsWords, handWords, insideWords, statusWords, troubleOf } from "./stage-text";
 
 test("it says how much of the picture is there, and calls it complete only when it is", () => {
   expect(statusWords({ backend: null, complete: false, settled: false, points: 0 })).toBe("Preparing …");

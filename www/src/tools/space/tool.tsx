@@ -1,20 +1,30 @@
-/** Space: its stage, its side panel and its strip. Loaded when it is first opened. */
 import "#ui/panel/panel.css";
 import { effect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { spaceShown } from "#document/playback";
+import { openSpace } from "#document/space/space";
+import type { Tool } from "#stage/tool";
 import { Segmented } from "#ui/controls/Segmented";
 import { PanelFoot } from "#ui/panel/PanelFoot";
 import { BendPanel3 } from "./bend/BendPanel3";
+import { commands, timeline } from "./commands";
+import { films, still } from "./film";
 import { LightPanel } from "./light/LightPanel";
+import { MeshDialog } from "./mesh/MeshDialog";
 import * as messages from "./messages";
 import { MorphPanel3 } from "./morph/MorphPanel3";
 import { watchMorph } from "./morph/work";
-import { type Part, part } from "./part";
+import { savePng } from "./save";
+import { object, parameters } from "./shape/now";
 import { ShapePanel } from "./shape/ShapePanel";
 import css from "./space.module.css";
-import { spaceDrawn } from "./stage/state";
+import { SpaceStage } from "./stage/SpaceStage";
+import { type Part, part, spaceDrawn } from "./stage/state";
+import { takeAnimation } from "./time/saved/open";
 import { TimePanel } from "./time/TimePanel";
+import { TimeStrip } from "./time/TimeStrip";
+
+// Space: its stage, its side panel and its strip. Loaded when it is first opened.
 
 effect(() => {
   spaceShown.value = spaceDrawn.value;
@@ -61,4 +71,27 @@ export function SpacePanel() {
       <PanelFoot />
     </div>
   );
+}
+
+/** The object that is worked on, as it is now. */
+const maps = () => [
+  { label: messages.object2, name: object.peek()?.name ?? messages.shape, maps: parameters.peek() },
+];
+
+/** With what computes it. */
+export async function openTool(): Promise<Tool> {
+  await openSpace();
+  return {
+    Stage: SpaceStage,
+    Panel: SpacePanel,
+    Strip: TimeStrip,
+    timeline,
+    commands: () => commands,
+    maps,
+    open: takeAnimation,
+    savePng,
+    MeshDialog,
+    still,
+    films,
+  };
 }

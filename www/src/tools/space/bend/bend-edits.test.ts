@@ -14,7 +14,7 @@ import {
   withLocality,
   withMoved,
   withSizes,
-} from "./changes";
+} from "./bend-edits";
 
 const rest = atRest([3, 3, 3], 3);
 

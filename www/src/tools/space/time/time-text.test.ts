@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { MapRow3, SpaceTimeline, SpaceView } from "#wasm/api";
-import { EASES, easeWords, keyWords, LOOPS, loopOf, momentWords } from "./words";
+import { EASES, easeWords, keyWords, LOOPS, loopOf, momentWords } from "./time-text";
 
 const stay: MapRow3 = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
 const view: SpaceView = { target: [0, 0, 0], distance: 3, turn: 0, tilt: 0, angle: 1 };

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { about3, apply3, scale3 } from "#geometry/maps/affine3";
 import type { MapRow3, Point3, Space } from "#wasm/api";
-import { around, beside, withObject, withoutObject, withShape, withTint } from "./changes";
+import { around, beside, withObject, withoutObject, withShape, withTint } from "./object-edits";
 
 const half: MapRow3 = scale3([0.5, 0.5, 0.5]);
 const third: MapRow3 = about3(half, [1, 0, 0]);

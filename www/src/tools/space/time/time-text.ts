@@ -1,8 +1,8 @@
 import { formatNumber } from "#format/numbers";
 import type { IconName } from "#ui/controls/Icon";
 import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#wasm/api";
-import { keyAt } from "./changes";
 import * as messages from "./messages";
+import { keyAt } from "./time-edits";
 
 /** How it goes on from a key. */
 export const EASES: readonly { value: Ease; label: string }[] = [
