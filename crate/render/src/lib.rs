@@ -32,10 +32,10 @@
 //!    `splat` draws all but some pixels many times as quickly: [`Splats`] are points of a cloud that each piece places.
 //!    [`rasterize`] draws them first, and is complete with what a sweep finds in the dark.
 //!    [`rasterize_directed`] draws shapes of several states.
-//! 4. A [`Plan`] is the same picture as points that a graphics card places; [`PlacedPoints`] tells which pixels they
-//!    light, so that a sweep finds the others. A [`Density`] spreads samples after the measure, or on the processor
-//!    carries the measure into pieces without chance, and its tones go by what the pieces in view tell of the masses of
-//!    their pixels.
+//! 4. A [`SplatPlan`] is the same for a graphics card that computes. A [`Plan`] is a picture as points that a card
+//!    places as vertices; [`PlacedPoints`] tells which pixels they light, so that a sweep finds the others. A
+//!    [`Density`] spreads samples after the measure, or on the processor carries the measure into pieces without
+//!    chance, and its tones go by what the pieces in view tell of the masses of their pixels.
 //! 5. [`bent`] draws what a [`Bend`](frond_deform::Bend) deforms: in pieces that are even in themselves.
 //!    [`bent::draft_codes`] is a picture of points for each frame of what moves. `sheet` bends a photograph.
 //! 6. [`solid`] is space: a [`Traversal`](solid::Traversal) leaves a depth buffer, which is shaded; points are splats.
@@ -101,4 +101,4 @@ pub use raster::{
     rasterize_unbent,
 };
 pub use sheet::{BentSheet, Level, Photo, PhotoError, Sheet, SheetOptions, draw_sheet};
-pub use splat::Splats;
+pub use splat::{SplatPlan, Splats};

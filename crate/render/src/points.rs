@@ -59,11 +59,10 @@ impl Instance {
     #[must_use]
     pub fn new(map: &Affine2, letters: Letters, mass: f32) -> Self {
         let [a, b, c, d, e, f] = map.to_row().map(|x| x as f32);
-        let count = u32::from(letters.count()) << COUNT_BIT;
         Self {
             linear: [a, b, c, d],
             translation: [e, f],
-            letters: letters.packed() | count,
+            letters: letters.with_count(),
             mass,
             twist: [0.0; 2],
             tint: 0,

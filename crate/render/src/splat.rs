@@ -7,6 +7,7 @@
 pub(crate) mod cloud;
 mod parts;
 mod place;
+mod plan;
 mod whole;
 
 use frond_core::Affine2;
@@ -14,6 +15,7 @@ use frond_core::Affine2;
 use self::cloud::{Cloud, Clouds};
 use self::parts::{PIECE, Parts, SPACING, finer};
 use self::place::{BEHIND, Placement, each_of_large};
+pub use self::plan::SplatPlan;
 use crate::coverage::flood::Flood;
 use crate::picture::bitmap::Bitmap;
 use crate::picture::window::{Extent, PixelBox, Window};

@@ -57,6 +57,13 @@ impl Letters {
         self.packed
     }
 
+    /// The same with the count from bit 18 on.
+    #[inline]
+    #[must_use]
+    pub(crate) fn with_count(self) -> u32 {
+        self.packed | u32::from(self.count) << (BITS * u32::from(KEPT))
+    }
+
     /// The code of a pixel that shows a piece with these first letters, from 1; a letter that is not
     /// known counts as the first.
     #[inline]
@@ -78,12 +85,19 @@ impl Letters {
 pub trait Code: Copy + Default + Ord {
     /// The same as three letters have it (see [`Letters::code`]).
     fn code(self) -> u32;
+    /// That of a piece of a system of so many maps.
+    fn of(letters: Letters, maps: usize) -> Self;
 }
 
 impl Code for u32 {
     #[inline]
     fn code(self) -> u32 {
         self
+    }
+
+    #[inline]
+    fn of(letters: Letters, maps: usize) -> Self {
+        (letters.packed() & kept_letters(maps)) + 1
     }
 }
 
@@ -96,19 +110,10 @@ pub struct ShortCode(u16);
 const MANY: u16 = 1 << 15;
 const MOST_OF_THREE: usize = 32;
 
-impl ShortCode {
-    /// The code of a piece of a system of so many maps.
-    #[inline]
-    #[must_use]
-    pub(crate) fn of(letters: Letters, maps: usize) -> Self {
-        let packed = letters.packed();
-        let short = if maps > MOST_OF_THREE {
-            MANY | (packed >> 6) as u16
-        } else {
-            (packed >> 2 & 0x7c00 | packed >> 1 & 0x03e0 | packed & 0x001f) as u16
-        };
-        Self(short + 1)
-    }
+/// The letters of a code that a [`ShortCode`] of so many maps keeps, all bits of each set.
+pub(crate) fn kept_letters(maps: usize) -> u32 {
+    let all = (1 << (BITS * u32::from(KEPT))) - 1;
+    if maps > MOST_OF_THREE { all & !((1 << BITS) - 1) } else { all }
 }
 
 impl Code for ShortCode {
@@ -121,6 +126,17 @@ impl Code for ShortCode {
             (short & 0x0fff) << 6
         };
         packed + 1
+    }
+
+    #[inline]
+    fn of(letters: Letters, maps: usize) -> Self {
+        let packed = letters.packed();
+        let short = if maps > MOST_OF_THREE {
+            MANY | (packed >> 6) as u16
+        } else {
+            (packed >> 2 & 0x7c00 | packed >> 1 & 0x03e0 | packed & 0x001f) as u16
+        };
+        Self(short + 1)
     }
 }
 

@@ -1,7 +1,7 @@
-//! Where a piece puts the points of a cloud.
+//! Where a piece puts the points of a cloud: the CPU twin of `shader/splat.wgsl`.
 //!
-//! All of it is whole numbers: a graphics card, which may fuse or reorder what it does to floats, can come to the same
-//! pixels as the processor.
+//! All of it is whole numbers, so that a graphics card comes to the same pixels as the processor: it may fuse or
+//! reorder what it does to floats.
 
 use frond_core::Affine2;
 use glam::Vec2;
