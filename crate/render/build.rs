@@ -20,7 +20,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=shader");
     let to = PathBuf::from(var_os("OUT_DIR").unwrap_or_default());
     fs::write(to.join("locus.wgsl"), plain("locus")?)?;
-    let (mut webgpu, mut webgl2) = (String::new(), String::new());
+    let mut webgpu = format!("pub const SPLAT: Shader = Shader({:?});\n", plain("splat")?);
+    let mut webgl2 = String::new();
     for (name, files) in MODULES {
         let text = files.iter().map(|file| plain(file)).collect::<Result<String, _>>()?;
         webgpu += &format!("pub const {name}: Shader = Shader({text:?});\n");
@@ -34,13 +35,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(fs::write(to.join("webgl2.rs"), std::mem::take(&mut webgl2))?)
 }
 
-/// A file of WGSL without comments and without white space at the ends of lines. Lines keep their numbers.
+/// Spaces of WGSL that tell nothing apart, and what stands for them; those at a minus do, in `a - -b`.
+const SPACED: [[&str; 2]; 6] =
+    [[", ", ","], [": ", ":"], [" = ", "="], [" + ", "+"], [" * ", "*"], [" {", "{"]];
+
+/// A file of WGSL without comments and without white space that is of no use. Lines keep their numbers.
 fn plain(name: &str) -> std::io::Result<String> {
     let text = fs::read_to_string(Path::new("shader").join(name).with_extension("wgsl"))?;
     // WGSL has no strings, so that this is always a comment.
     Ok(text
         .lines()
         .map(|line| line.split("//").next().unwrap_or_default().trim().to_owned() + "\n")
+        .map(|line| SPACED.iter().fold(line, |line, [spaced, plain]| line.replace(spaced, plain)))
         .collect())
 }
 

@@ -37,7 +37,8 @@ mod measure {
         } else {
             Bench { frames: 200, budgets: &[1_000_000, 4_000_000, 16_000_000] }
         };
-        for &budget in bench.budgets {
+        bench.points();
+        for &budget in bench.budgets.iter().filter(|_| std::env::args().all(|word| word != "points")) {
             bench.dragged(budget);
             bench.rests(budget);
             bench.dense(budget);
@@ -97,6 +98,53 @@ mod measure {
     }
 
     impl Bench {
+        /// Points as vertices, as WebGL2 has them, and computed, in turns: at once, then at rest.
+        fn points(self) {
+            for size in [[900, 600], [1800, 1200]] {
+                for (name, ifs) in [("fern", fern(0.0)), ("dragon", dragon()), ("gasket", gasket())] {
+                    println!("{name}, {} x {}, four pixels to one", size[0], size[1]);
+                    for round in 0..2 {
+                        for vertices in [true, false] {
+                            let what = if vertices { "vertices" } else { "computed" };
+                            let mut stage = stage_of(&ifs, size);
+                            if vertices {
+                                stage.draw_vertices();
+                            }
+                            // The first of a stage has textures to be made.
+                            for _ in 0..4 {
+                                stage.draw(u64::MAX);
+                                stage.set_ifs(&ifs);
+                            }
+                            stage.gpu().finish();
+                            let start = Instant::now();
+                            let points = stage.draw(u64::MAX).points;
+                            let handed = start.elapsed().as_secs_f64() * 1e3;
+                            stage.gpu().finish();
+                            let drawn = start.elapsed().as_secs_f64() * 1e3;
+                            let rate = self.rate(&mut stage);
+                            println!(
+                                "    {round} {what}: at once {points} points in {drawn:.2} ms, handed over after \
+                                 {handed:.2}; {rate:.0} million a second"
+                            );
+                            settle(&mut stage, 16_000_000);
+                            println!("        its points: {:.0} million a second", self.rate(&mut stage));
+                        }
+                    }
+                }
+            }
+        }
+
+        /// Millions of points a second, with nothing in the way of the card.
+        fn rate(self, stage: &mut Stage) -> f64 {
+            let times = self.frames as u64 / 4 + 1;
+            stage.draw_again(1);
+            stage.gpu().finish();
+            let start = Instant::now();
+            let points = stage.draw_again(times);
+            stage.gpu().finish();
+            points as f64 / start.elapsed().as_secs_f64() / 1e6
+        }
+
         /// A map of a fern is dragged: each frame is another shape, planned and drawn anew. Then it rests.
         fn dragged(self, budget: u64) {
             let mut stage = stage(&fern(0.0));
@@ -252,10 +300,14 @@ mod measure {
     }
 
     fn stage(ifs: &Ifs) -> Stage {
+        stage_of(ifs, SIZE)
+    }
+
+    fn stage_of(ifs: &Ifs, size: [u32; 2]) -> Stage {
         let mut stage = Stage::new(open());
-        stage.resize(SIZE[0], SIZE[1], 1.0);
+        stage.resize(size[0], size[1], 1.0);
         stage.set_ifs(ifs);
-        stage.set_view(view(ifs));
+        stage.set_view(View::fit(&Hull::of(ifs), size[0], size[1], 0.05));
         stage
     }
 

@@ -96,12 +96,24 @@ const SOME_PIECES: usize = 48;
 const FINEST_GRID: f64 = 1024.0;
 
 impl Plan {
-    /// Plans a picture.
-    pub fn make(&mut self, frame: &Frame, to_screen: Affine2, window: Window, detail: Detail) {
+    /// Plans some points of a picture, whatever pieces overlap.
+    pub fn make_roughly(&mut self, frame: &Frame, to_screen: Affine2, window: Window, detail: Detail) {
+        self.clear();
+        let Some(extent) = window.extent_once(&to_screen) else { return };
+        self.exact = false;
+        self.improvise(frame, to_screen, window, extent.size, detail);
+    }
+
+    fn clear(&mut self) {
         self.vertices.clear();
         self.instances.clear();
         self.batches.clear();
         self.exact = true;
+    }
+
+    /// Plans a picture.
+    pub fn make(&mut self, frame: &Frame, to_screen: Affine2, window: Window, detail: Detail) {
+        self.clear();
         let Some(extent) = window.extent(&to_screen) else { return };
         let seen = extent.size.min(f64::from(window.width.max(window.height)));
         if let Some(size) = self.cut(frame, to_screen, window, seen, detail) {

@@ -28,6 +28,10 @@ const SMALL: &str = "--config profile.release.package.frond-fit.opt-level=\"z\""
 /// Makes frond-core small where it only prepares pictures, whose inner loops are in frond-render.
 const SMALL_CORE: &str = "--config profile.release.package.frond-core.opt-level=\"s\"";
 
+/// The same, and frond-locus where it only prepares what the card decides.
+const SMALL_AROUND: &str = "--config profile.release.package.frond-core.opt-level=\"s\" \
+    --config profile.release.package.frond-locus.opt-level=\"s\"";
+
 /// What lies in a crate's folder and is no part of a module.
 const NO_SOURCES: [&str; 5] = ["tests", "benches", "examples", "pkg", "webdriver.json"];
 
@@ -111,7 +115,7 @@ fn crates(features: &str) -> Outcome<Vec<PathBuf>> {
 
 /// The hash of the settings and of the sources in these folders, without tests.
 fn hash(folders: &[PathBuf]) -> Outcome<String> {
-    let mut hash = Hash::new(&[OPTIMISE, SMALL, SMALL_CORE]);
+    let mut hash = Hash::new(&[OPTIMISE, SMALL, SMALL_CORE, SMALL_AROUND]);
     for file in ["Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml", "package-lock.json"]
     {
         hash.path(&root().join(file))?;
@@ -145,6 +149,7 @@ fn make(modules: &[Stale], pkg: &Path) -> Outcome {
                 "frond-svg" | "frond-text" => SMALL,
                 // The first picture waits for its download.
                 "frond-first" => SMALL_CORE,
+                "frond-webgpu" => SMALL_AROUND,
                 _ => "",
             };
             run(&mut cargo_wasm(&format!(

@@ -334,34 +334,14 @@ fn pipeline(device: &wgpu::Device) -> (wgpu::ComputePipeline, wgpu::BindGroupLay
     let source =
         wgpu::ShaderSource::Wgsl(Cow::Borrowed(include_str!(concat!(env!("OUT_DIR"), "/locus.wgsl"))));
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("locus"), source });
-    let kinds = [
-        wgpu::BufferBindingType::Uniform,
-        wgpu::BufferBindingType::Storage { read_only: true },
-        wgpu::BufferBindingType::Storage { read_only: true },
-        wgpu::BufferBindingType::Storage { read_only: false },
-    ];
-    let mut binding = 0..;
-    let entries = kinds.map(|ty| wgpu::BindGroupLayoutEntry {
-        binding: binding.next().unwrap_or(0),
-        visibility: wgpu::ShaderStages::COMPUTE,
-        ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
-        count: None,
-    });
-    let bindings = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("locus"),
-        entries: &entries,
-    });
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        bind_group_layouts: &[Some(&bindings)],
-        ..wgpu::PipelineLayoutDescriptor::default()
-    });
     let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some("locus"),
-        layout: Some(&layout),
+        layout: None,
         module: &module,
         entry_point: Some("decide_samples"),
         compilation_options: wgpu::PipelineCompilationOptions::default(),
         cache: None,
     });
+    let bindings = pipeline.get_bind_group_layout(0);
     (pipeline, bindings)
 }

@@ -7,3 +7,5 @@ pub mod fill;
 pub mod image;
 pub mod plain;
 pub mod points;
+#[cfg(feature = "webgpu")]
+pub mod splats;

@@ -61,7 +61,7 @@ impl Stage {
             frame: None,
             view: None,
             straight_colours: Buffer::new(&gpu.card, "straight colours", Usage::Uniform),
-            plain: PlainPass::new(),
+            plain: PlainPass::new(&gpu),
             deformed: None,
             image: None,
             state: StageState::new(gpu),
@@ -84,6 +84,7 @@ impl Stage {
     pub fn set_ifs(&mut self, ifs: &Ifs) {
         let hull = Hull::of(ifs);
         self.frame = Some(Frame::within(ifs, &hull));
+        self.plain.forget();
         if let Some(deformed) = &mut self.deformed {
             deformed.forget();
         }
@@ -246,6 +247,41 @@ impl Stage {
         target.resolve(&self.state.gpu, self.state.paint(), &canvas.texture);
         self.state.gpu.present(canvas);
         self.state.stale = false;
+    }
+
+    /// Begins to read the codes of the picture that is shown, four bytes each, or `None` if it has none.
+    #[must_use]
+    pub fn read_codes(&self) -> Option<ReadBack> {
+        let target = match self.state.shown?.0 {
+            Shown::Front => &self.state.front,
+            Shown::Back => &self.state.back,
+            _ => &None,
+        };
+        Some(target.as_ref()?.read(&self.state.gpu))
+    }
+
+    /// Draws points as vertices, as WebGL2 does, whatever the card computes.
+    #[cfg(all(feature = "webgpu", not(target_arch = "wasm32")))]
+    pub fn draw_vertices(&mut self) {
+        self.plain.splats = None;
+        self.state.work = Work::Anew;
+    }
+
+    /// Draws the points of the picture that is shown so many times more: what a card does with nothing in its way.
+    /// Returns how many there are.
+    #[cfg(all(feature = "webgpu", not(target_arch = "wasm32")))]
+    pub fn draw_again(&mut self, times: u64) -> u64 {
+        let StageState { shown, front, back, points_pass, gpu, pipelines, colours, .. } = &mut self.state;
+        let Some(target) = (match shown {
+            Some((Shown::Front, _)) => front.as_ref(),
+            Some((Shown::Back, _)) => back.as_ref(),
+            _ => None,
+        }) else {
+            return 0;
+        };
+        (0..times)
+            .map(|_| self.plain.draw_again(points_pass, gpu, Paint { pipelines, colours }, target))
+            .sum()
     }
 
     /// Begins to read the picture that is shown, or `None` if there is none.

@@ -3,7 +3,9 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::device::Gpu;
-use super::interface::{Buffer, Texture, Usage, draw};
+#[cfg(feature = "webgpu")]
+use super::interface::Compute;
+use super::interface::{Buffer, ReadBack, Texture, Usage, draw};
 use super::pass::{Bound, Draw, Pass};
 use super::pipelines::{Kind, Pipelines};
 use super::words::Format;
@@ -91,6 +93,17 @@ impl Target {
             instances: batch.instances.len() as u32,
         });
         draw(&gpu.card, &pass, draws);
+    }
+
+    /// Replaces its codes by what so many groups compute into the last of the buffers.
+    #[cfg(feature = "webgpu")]
+    pub fn compute(&self, gpu: &Gpu, compute: &Compute, buffers: &[&Buffer], groups: u32) {
+        compute.run(&gpu.card, buffers, groups, true, &self.pixels);
+    }
+
+    /// Begins to read what it holds, four bytes a pixel: its codes, or its colours.
+    pub fn read(&self, gpu: &Gpu) -> ReadBack {
+        gpu.read(&self.pixels)
     }
 
     /// Makes a picture of it.

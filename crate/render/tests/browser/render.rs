@@ -6,10 +6,12 @@ use std::rc::Rc;
 
 use frond_core::{Affine2, Colouring, Hull, Ifs};
 use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin, Tint};
+#[cfg(feature = "webgpu")]
+use frond_render::Code;
 use frond_render::gpu::{Canvas, Drawn, Event, Stage, Style, Wanted};
 use frond_render::{
-    Colours, Density, Detail, Frame, Plan, RasterOptions, View, Window, rasterize, resolve_codes,
-    resolve_density, to_bytes,
+    Colours, Density, Detail, Frame, Plan, RasterOptions, SplatPlan, Splats, View, Window, rasterize,
+    resolve_codes, resolve_density, to_bytes,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -129,8 +131,7 @@ fn assert_no_fault(events: &Events) {
 
 /// What the shaders should make of a plan, by their twins.
 fn by_twins(subject: &Subject, colouring: Colouring, factor: f64, plan: &Plan) -> Vec<u8> {
-    let side = |pixels: u32| (f64::from(pixels) * factor).ceil() as u32;
-    let target = Window { width: side(WINDOW.width), height: side(WINDOW.height) };
+    let target = target(factor);
     let mut codes = vec![0_u32; target.area()];
     for batch in &plan.batches {
         let range = |range: &std::ops::Range<u32>| range.start as usize..range.end as usize;
@@ -149,9 +150,31 @@ fn by_twins(subject: &Subject, colouring: Colouring, factor: f64, plan: &Plan) -
     picture(|at| resolve_codes(&colours, &codes, at))
 }
 
-fn plan(subject: &Subject, factor: f64) -> Plan {
+/// The first picture of a subject, how many points it has, and the picture of the processor.
+fn at_once(subject: &Subject, colouring: Colouring, factor: f64) -> (u64, Vec<u8>) {
+    if cfg!(not(feature = "webgpu")) {
+        let plan = plan(subject, factor);
+        return (plan.points(), by_twins(subject, colouring, factor, &plan));
+    }
+    let target = target(factor);
+    let to_target = subject.view.onto_target(subject.frame.to_world, WINDOW, factor);
+    let splats = Splats::draw(&subject.frame, to_target, target, 0);
+    let mut colours = Colours::new(colouring, &[], subject.ifs.len());
+    colours.source = [target.width as i32, target.height as i32];
+    colours.factor = factor as f32;
+    let mut plan = SplatPlan::default();
+    assert!(plan.make(&subject.frame, to_target, target, target.width));
+    let codes: Vec<u32> = splats.codes.into_iter().map(Code::code).collect();
+    (plan.count, picture(|at| resolve_codes(&colours, &codes, at)))
+}
+
+fn target(factor: f64) -> Window {
     let side = |pixels: u32| (f64::from(pixels) * factor).ceil() as u32;
-    let target = Window { width: side(WINDOW.width), height: side(WINDOW.height) };
+    Window { width: side(WINDOW.width), height: side(WINDOW.height) }
+}
+
+fn plan(subject: &Subject, factor: f64) -> Plan {
+    let target = target(factor);
     let mut plan = Plan::default();
     let to_target = subject.view.onto_target(subject.frame.to_world, WINDOW, factor);
     plan.make(&subject.frame, to_target, target, Detail::LADDER[0]);
@@ -168,15 +191,61 @@ async fn points_and_their_colours_are_those_of_the_twins() {
                 for (pixel_ratio, factor) in [(1.0, 2.0), (2.0, 1.0)] {
                     let what = format!("{name} {wanted:?} {colouring:?} {factor}");
                     let points = show(&mut stage, &subject, colouring, pixel_ratio, PLENTY);
-                    let plan = plan(&subject, factor);
-                    assert_eq!(points, plan.points(), "{what}");
-                    let expected = by_twins(&subject, colouring, factor, &plan);
+                    let (planned, expected) = at_once(&subject, colouring, factor);
+                    assert_eq!(points, planned, "{what}");
                     assert_same(&what, &picture_of(stage.read()).await, &expected, 1);
                 }
             }
         }
         assert_no_fault(&events);
     }
+}
+
+/// Shapes of the gallery, flat ones and ones of singular maps among them, seen whole and closely, small and large.
+#[cfg(feature = "webgpu")]
+#[wasm_bindgen_test(unsupported = pollster::test)]
+async fn computed_codes_are_those_of_the_processor_bit_for_bit() {
+    let (mut stage, events) = stage(Wanted::WebGpu, false).await;
+    let gallery = frond_scene::presets()
+        .into_iter()
+        .step_by(3)
+        .map(|preset| Ifs::new(preset.maps.into_iter().map(Affine2::from_row).collect()).unwrap());
+    let own = ["gasket", "dragon", "fern"].map(shape);
+    let flat = Ifs::new(vec![
+        Affine2::from_row([0.5, 0.0, 0.2, 0.0, 0.0, 0.0]),
+        Affine2::from_row([0.4, 0.3, 0.0, 0.0, 0.5, 0.3]),
+        Affine2::from_row([0.0, 0.1, 0.0, 0.6, 0.1, 0.4]),
+    ]);
+    let mut lit = 0;
+    for (number, ifs) in gallery.chain(own).chain([flat.unwrap()]).enumerate() {
+        let hull = Hull::of(&ifs);
+        let frame = Frame::within(&ifs, &hull);
+        let at = frame.to_world.apply(frame.anchor);
+        for window in [Window { width: 150, height: 100 }, Window { width: 333, height: 257 }] {
+            let whole = View::fit(&hull, window.width, window.height, 0.05);
+            for view in [whole, View { x: at.x, y: at.y, scale: 40.0 * whole.scale }] {
+                stage.resize(window.width, window.height, 2.0);
+                stage.set_ifs(&ifs);
+                assert!(stage.set_view(view));
+                stage.draw(PLENTY);
+                let splats = Splats::draw(&frame, view.onto_screen(frame.to_world, window), window, 0);
+                // A card has more points to spare where pieces overlap.
+                if !splats.whole {
+                    continue;
+                }
+                let seen: Vec<u32> = bytemuck::pod_collect_to_vec(&picture_of(stage.read_codes()).await);
+                let twin: Vec<u32> = splats.codes.into_iter().map(Code::code).collect();
+                lit += twin.iter().filter(|code| **code > 0).count();
+                let wrong = seen.iter().zip(&twin).filter(|(a, b)| a != b).count();
+                assert!(
+                    seen.len() == twin.len() && wrong == 0,
+                    "shape {number}, {window:?}, {view:?}: {wrong} differ"
+                );
+            }
+        }
+    }
+    assert!(lit > 200_000, "{lit}");
+    assert_no_fault(&events);
 }
 
 #[cfg(target_arch = "wasm32")]
@@ -200,9 +269,8 @@ async fn a_small_budget_gives_a_whole_picture_of_fewer_pixels() {
         let subject = subject("dragon");
         let points = show(&mut stage, &subject, Colouring::Map, 2.0, 20_000);
         assert!(points <= 20_000, "{points}");
-        let factor = [0.5, 0.25, 0.125].into_iter().find(|factor| plan(&subject, *factor).points() == points);
-        let factor = factor.unwrap();
-        let expected = by_twins(&subject, Colouring::Map, factor, &plan(&subject, factor));
+        let pictures = [1.0, 0.5, 0.25, 0.125].map(|factor| at_once(&subject, Colouring::Map, factor));
+        let (_, expected) = pictures.into_iter().find(|(planned, _)| *planned == points).unwrap();
         assert_same(&format!("{wanted:?}"), &picture_of(stage.read()).await, &expected, 2);
         assert!(!stage.draw(20_000).complete);
         assert_no_fault(&events);

@@ -3,13 +3,18 @@
 use frond_core::Colouring;
 
 use crate::coverage::sweep::Progress;
+use crate::gpu::device::Gpu;
 use crate::gpu::passes::cpu::CpuPass;
 use crate::gpu::passes::density::DensityPass;
 use crate::gpu::passes::fill::FillPass;
+#[cfg(feature = "webgpu")]
+use crate::gpu::passes::splats::SplatPass;
 use crate::gpu::state::{
     MOST_FINE_POINTS, MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work,
 };
 use crate::gpu::target::Paint;
+#[cfg(all(feature = "webgpu", not(target_arch = "wasm32")))]
+use crate::gpu::{passes::points::PointsPass, target::Target};
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
@@ -22,11 +27,38 @@ pub(in crate::gpu) struct PlainPass {
     /// At once, and complete.
     swept: [CpuPass; 2],
     fill: FillPass,
+    /// What draws where the card computes, unless pieces overlap too much.
+    #[cfg(feature = "webgpu")]
+    pub splats: Option<SplatPass>,
+    /// Whether it drew what is shown.
+    #[cfg(feature = "webgpu")]
+    splat: bool,
 }
 
+/// Whether vertices make exact pictures, too. In a browser they do not where the card computes: what it does not
+/// compute overlaps too much for them as well, and the module is smaller.
+const EXACT: bool = cfg!(not(all(feature = "webgpu", target_arch = "wasm32")));
+
 impl PlainPass {
-    pub fn new() -> Self {
-        Self { plan: Plan::default(), swept: [CpuPass::new(), CpuPass::new()], fill: FillPass::default() }
+    #[cfg_attr(not(feature = "webgpu"), expect(unused_variables, reason = "WebGL2 does not compute"))]
+    pub fn new(gpu: &Gpu) -> Self {
+        Self {
+            plan: Plan::default(),
+            swept: [CpuPass::new(), CpuPass::new()],
+            fill: FillPass::default(),
+            #[cfg(feature = "webgpu")]
+            splats: Some(SplatPass::new(gpu)),
+            #[cfg(feature = "webgpu")]
+            splat: false,
+        }
+    }
+
+    /// The next shape is another one.
+    pub fn forget(&mut self) {
+        #[cfg(feature = "webgpu")]
+        if let Some(splats) = &mut self.splats {
+            splats.forget();
+        }
     }
 
     /// What was swept, at once or when complete: its codes and the window they are of.
@@ -36,6 +68,10 @@ impl PlainPass {
 
     /// Draws more of the picture: about `budget` points.
     pub fn advance(&mut self, state: &mut StageState, frame: &Frame, view: View, budget: u64) {
+        #[cfg(feature = "webgpu")]
+        if self.compute(state, frame, view, budget) {
+            return;
+        }
         match state.work {
             Work::Anew | Work::Moved | Work::Plan => {
                 state.complete = false;
@@ -50,7 +86,7 @@ impl PlainPass {
                 }
             }
             Work::Choose => self.choose(state, frame, view, budget),
-            Work::Points => {
+            Work::Points if EXACT => {
                 let Some(back) = &state.back else { return };
                 if state.points_pass.go_on(
                     &state.gpu,
@@ -62,15 +98,15 @@ impl PlainPass {
                     self.fill.begin(state, self.plan.points());
                 }
             }
-            Work::Place => {
+            Work::Place if EXACT => {
                 if let Some(lit) = self.fill.place(&self.plan) {
                     let to_target = state.to_target(frame, view, state.sampling);
                     self.swept[1].begin_on(frame, to_target, lit, SWEEP_SIZES.1);
                     state.work = Work::Fill;
                 }
             }
-            Work::Fill => {
-                let Self { plan, swept: [_, swept], fill } = self;
+            Work::Fill if EXACT => {
+                let Self { plan, swept: [_, swept], fill, .. } = self;
                 let progress = swept.find(VISITS_A_FRAME, &mut |pixel, code| fill.light(pixel, code));
                 fill.draw(state, plan, progress);
             }
@@ -82,7 +118,42 @@ impl PlainPass {
                 }
             }
             Work::Density => state.add_density(frame, budget),
-            Work::Done => {}
+            Work::Points | Work::Place | Work::Fill | Work::Done => {}
+        }
+    }
+
+    /// Has the card compute more of the picture, if that is how it is drawn.
+    #[cfg(feature = "webgpu")]
+    fn compute(&mut self, state: &mut StageState, frame: &Frame, view: View, budget: u64) -> bool {
+        let Some(splats) = &mut self.splats else { return false };
+        if state.gpu.software || state.style.colouring == Colouring::Density {
+            return false;
+        }
+        match state.work {
+            Work::Anew | Work::Moved | Work::Plan => {
+                self.splat = splats.draw_at_once(state, frame, view, budget);
+                if self.splat {
+                    (state.complete, state.work) = (false, Work::Choose);
+                }
+            }
+            Work::Choose if self.splat => self.splat = splats.choose(state, frame, view),
+            Work::Place if self.splat => splats.place(state, frame, view),
+            Work::Fill if self.splat => splats.fill(state, frame),
+            _ => return false,
+        }
+        self.splat
+    }
+
+    /// Draws all points of the plan once more. Returns how many there are.
+    #[cfg(all(feature = "webgpu", not(target_arch = "wasm32")))]
+    pub fn draw_again(&self, points: &mut PointsPass, gpu: &Gpu, paint: Paint<'_>, target: &Target) -> u64 {
+        match &self.splats {
+            Some(splats) => splats.draw_again(gpu, target),
+            None => {
+                points.begin(gpu, &self.plan, target);
+                points.go_on(gpu, paint, &self.plan, target, u64::MAX);
+                self.plan.points()
+            }
         }
     }
 
@@ -92,7 +163,11 @@ impl PlainPass {
         loop {
             let factor = state.factor();
             let to_target = state.to_target(frame, view, factor);
-            self.plan.make(frame, to_target, state.target_window(factor), Detail::LADDER[0]);
+            if EXACT {
+                self.plan.make(frame, to_target, state.target_window(factor), Detail::LADDER[0]);
+            } else {
+                self.plan.make_roughly(frame, to_target, state.target_window(factor), Detail::LADDER[0]);
+            }
             let points = self.plan.points();
             if !state.resize_for(points, budget, &mut coarser) {
                 break;
@@ -138,7 +213,7 @@ impl PlainPass {
         let mut finest = None;
         // A sweep takes about as many visits as the coarsest plan has points.
         let mut most = MOST_POINTS;
-        for detail in Detail::LADDER.into_iter().filter(|_| !state.gpu.software) {
+        for detail in Detail::LADDER.into_iter().filter(|_| EXACT && !state.gpu.software) {
             self.plan.make(frame, to_target, window, detail);
             let points = self.plan.points();
             if finest.is_none() {
@@ -154,7 +229,7 @@ impl PlainPass {
                 break;
             }
         }
-        if let Some(detail) = finest {
+        if let Some(detail) = finest.filter(|_| EXACT) {
             self.plan.make(frame, to_target, window, detail);
             let target = state.fit(Shown::Back, factor);
             state.points_pass.begin(&state.gpu, &self.plan, &target);

@@ -13,6 +13,10 @@ pub enum Usage {
     Indices,
     /// Numbers that are the same for all of a pass.
     Uniform,
+    /// What is read where something is computed.
+    Read,
+    /// What is computed.
+    Computed,
 }
 
 /// Numbers on the graphics card.
@@ -32,6 +36,8 @@ impl Buffer {
             Usage::Items => wgpu::BufferUsages::VERTEX,
             Usage::Indices => wgpu::BufferUsages::INDEX,
             Usage::Uniform => wgpu::BufferUsages::UNIFORM,
+            Usage::Read => wgpu::BufferUsages::STORAGE,
+            Usage::Computed => wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
         };
         let usage = usage | wgpu::BufferUsages::COPY_DST;
         Self { buffer: Self::create(card, label, SMALLEST_BUFFER, usage), label }
@@ -47,9 +53,14 @@ impl Buffer {
     pub fn fill<T: Pod>(&mut self, card: &Card, items: &[T]) {
         let size = size_of_val(items) as u64;
         if size > self.buffer.size() {
-            self.buffer = Self::create(card, self.label, size.next_power_of_two(), self.buffer.usage());
+            self.hold(card, size.next_power_of_two());
         }
         self.set(card, items);
+    }
+
+    /// Makes it of so many bytes, with nothing in it.
+    pub fn hold(&mut self, card: &Card, size: u64) {
+        self.buffer = Self::create(card, self.label, size, self.buffer.usage());
     }
 
     /// Replaces the first items, as far as there is room.

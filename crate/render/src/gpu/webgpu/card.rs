@@ -18,6 +18,8 @@ pub struct Card {
     pub software: bool,
     /// The longest side of what can be drawn to.
     pub max_side: u32,
+    /// The most pixels whose codes it computes.
+    pub most_codes: u64,
     /// Whether it can add up weights.
     pub densities: bool,
 }
@@ -27,10 +29,15 @@ impl Card {
 
     /// Opens a device.
     pub(super) async fn request(adapter: &wgpu::Adapter) -> Result<(wgpu::Device, wgpu::Queue), String> {
+        let own = adapter.limits();
         let descriptor = wgpu::DeviceDescriptor {
             // Sums of many small weights are truer in 32 bits, where these can be blended.
             required_features: adapter.features() & wgpu::Features::FLOAT32_BLENDABLE,
-            required_limits: wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits()),
+            required_limits: wgpu::Limits {
+                max_buffer_size: own.max_buffer_size,
+                max_storage_buffer_binding_size: own.max_storage_buffer_binding_size,
+                ..wgpu::Limits::downlevel_defaults().using_resolution(own)
+            },
             ..wgpu::DeviceDescriptor::default()
         };
         adapter.request_device(&descriptor).await.map_err(|e| e.to_string())
@@ -53,6 +60,7 @@ impl Card {
             description: name(adapter).await,
             software: adapter.get_info().device_type == wgpu::DeviceType::Cpu,
             max_side: device.limits().max_texture_dimension_2d,
+            most_codes: device.limits().max_storage_buffer_binding_size / 4,
             densities: true,
             sums: if float32 { wgpu::TextureFormat::Rgba32Float } else { wgpu::TextureFormat::Rgba16Float },
             canvas,

@@ -4,6 +4,7 @@ mod buffer;
 mod card;
 #[cfg(target_arch = "wasm32")]
 mod chain;
+mod compute;
 mod draw;
 #[cfg(not(target_arch = "wasm32"))]
 mod off_screen;
@@ -15,6 +16,7 @@ pub use buffer::{Buffer, Usage};
 pub use card::{Card, adapter, name};
 #[cfg(target_arch = "wasm32")]
 pub use chain::{Chain, Frame};
+pub use compute::Compute;
 pub use draw::draw;
 #[cfg(not(target_arch = "wasm32"))]
 pub use off_screen::{Chain, Frame};
