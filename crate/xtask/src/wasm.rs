@@ -28,9 +28,11 @@ const SMALL: &str = "--config profile.release.package.frond-fit.opt-level=\"z\""
 /// Makes frond-core small where it only prepares pictures, whose inner loops are in frond-render.
 const SMALL_CORE: &str = "--config profile.release.package.frond-core.opt-level=\"s\"";
 
-/// The same, and frond-locus where it only prepares what the card decides.
+/// The same, frond-locus where it only prepares what the card decides, and frond-deform where it prepares what the card
+/// bends.
 const SMALL_AROUND: &str = "--config profile.release.package.frond-core.opt-level=\"s\" \
-    --config profile.release.package.frond-locus.opt-level=\"s\"";
+    --config profile.release.package.frond-locus.opt-level=\"s\" \
+    --config profile.release.package.frond-deform.opt-level=\"s\"";
 
 /// What lies in a crate's folder and is no part of a module.
 const NO_SOURCES: [&str; 5] = ["tests", "benches", "examples", "pkg", "webdriver.json"];
