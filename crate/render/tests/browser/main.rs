@@ -12,6 +12,8 @@ mod locus;
 mod render;
 mod sheet;
 mod space;
+#[cfg(feature = "webgpu")]
+mod splats;
 
 #[cfg(target_arch = "wasm32")]
 wasm_bindgen_test_configure!(run_in_dedicated_worker);

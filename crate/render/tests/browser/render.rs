@@ -21,12 +21,12 @@ use crate::card::{BACKENDS, canvas, card_on, picture_of};
 
 const WINDOW: Window = Window { width: 150, height: 100 };
 /// More points than any of the pictures has.
-const PLENTY: u64 = 100_000_000;
+pub const PLENTY: u64 = 100_000_000;
 
-type Events = Rc<RefCell<Vec<Event>>>;
+pub type Events = Rc<RefCell<Vec<Event>>>;
 
 /// A stage of the backend, and what happens to it.
-async fn stage(wanted: Wanted, software: bool) -> (Stage, Events) {
+pub async fn stage(wanted: Wanted, software: bool) -> (Stage, Events) {
     stage_on(&canvas([WINDOW.width, WINDOW.height]), wanted, software).await
 }
 
@@ -44,7 +44,7 @@ fn similitude(scale: f64, degrees: f64, e: f64, f: f64) -> Affine2 {
     Affine2::similitude(scale, degrees.to_radians(), glam::DVec2::new(e, f))
 }
 
-fn shape(name: &str) -> Ifs {
+pub fn shape(name: &str) -> Ifs {
     let s = 0.5_f64.sqrt();
     Ifs::new(match name {
         "gasket" => [[0.0, 0.0], [0.5, 0.0], [0.25, 0.433]].map(|[e, f]| similitude(0.5, 0.0, e, f)).to_vec(),
@@ -125,7 +125,7 @@ fn assert_same(what: &str, seen: &[u8], expected: &[u8], tolerance: u8) {
     assert!(wrong * 200 <= lit, "{what}: {wrong} of {lit} pixels differ");
 }
 
-fn assert_no_fault(events: &Events) {
+pub fn assert_no_fault(events: &Events) {
     assert_eq!(*events.borrow(), [], "nothing may go wrong");
 }
 
@@ -199,53 +199,6 @@ async fn points_and_their_colours_are_those_of_the_twins() {
         }
         assert_no_fault(&events);
     }
-}
-
-/// Shapes of the gallery, flat ones and ones of singular maps among them, seen whole and closely, small and large.
-#[cfg(feature = "webgpu")]
-#[wasm_bindgen_test(unsupported = pollster::test)]
-async fn computed_codes_are_those_of_the_processor_bit_for_bit() {
-    let (mut stage, events) = stage(Wanted::WebGpu, false).await;
-    let gallery = frond_scene::presets()
-        .into_iter()
-        .step_by(3)
-        .map(|preset| Ifs::new(preset.maps.into_iter().map(Affine2::from_row).collect()).unwrap());
-    let own = ["gasket", "dragon", "fern"].map(shape);
-    let flat = Ifs::new(vec![
-        Affine2::from_row([0.5, 0.0, 0.2, 0.0, 0.0, 0.0]),
-        Affine2::from_row([0.4, 0.3, 0.0, 0.0, 0.5, 0.3]),
-        Affine2::from_row([0.0, 0.1, 0.0, 0.6, 0.1, 0.4]),
-    ]);
-    let mut lit = 0;
-    for (number, ifs) in gallery.chain(own).chain([flat.unwrap()]).enumerate() {
-        let hull = Hull::of(&ifs);
-        let frame = Frame::within(&ifs, &hull);
-        let at = frame.to_world.apply(frame.anchor);
-        for window in [Window { width: 150, height: 100 }, Window { width: 333, height: 257 }] {
-            let whole = View::fit(&hull, window.width, window.height, 0.05);
-            for view in [whole, View { x: at.x, y: at.y, scale: 40.0 * whole.scale }] {
-                stage.resize(window.width, window.height, 2.0);
-                stage.set_ifs(&ifs);
-                assert!(stage.set_view(view));
-                stage.draw(PLENTY);
-                let splats = Splats::draw(&frame, view.onto_screen(frame.to_world, window), window, 0);
-                // A card has more points to spare where pieces overlap.
-                if !splats.whole {
-                    continue;
-                }
-                let seen: Vec<u32> = bytemuck::pod_collect_to_vec(&picture_of(stage.read_codes()).await);
-                let twin: Vec<u32> = splats.codes.into_iter().map(Code::code).collect();
-                lit += twin.iter().filter(|code| **code > 0).count();
-                let wrong = seen.iter().zip(&twin).filter(|(a, b)| a != b).count();
-                assert!(
-                    seen.len() == twin.len() && wrong == 0,
-                    "shape {number}, {window:?}, {view:?}: {wrong} differ"
-                );
-            }
-        }
-    }
-    assert!(lit > 200_000, "{lit}");
-    assert_no_fault(&events);
 }
 
 #[cfg(target_arch = "wasm32")]
