@@ -5,9 +5,10 @@
 //! it (Burch & Hart 1997, Theorem 1).
 //!
 //! Bounds are found by branching: the piece of a word u lies in the ball `w_u(ball)`. No point of the piece is farther
-//! from B than the middle of its ball is, and the radius beside; a point of the piece is at least as far as the nearest
-//! ball of B. The piece that may hold the farthest point is split, until the bounds are near enough. For each piece only
-//! those pieces of B are kept that may hold the point of B nearest to one of its points, and these are split as it is.
+//! from B than the middle of its ball is, and the radius beside; a point of the piece is at least as far as the
+//! nearest ball of B. The piece that may hold the farthest point is split, until the bounds are near enough. For each
+//! piece only those pieces of B are kept that may hold the point of B nearest to one of its points, and these are split
+//! as it is.
 
 use std::collections::BinaryHeap;
 use std::ops::Range;

@@ -37,9 +37,8 @@
 //! 7. `digits/`: shapes on a grid ([`DigitSystem`]), and what two of them share as such a system, found in whole
 //!    numbers ([`grid_intersection`]).
 //! 8. `animation/`: key frames ([`Motion3`]) and places ([`Place3`]). `projection/` and `intersection`: shadows of
-//!    shapes of space ([`exact_projection`]), where two shapes meet ([`intersection()`]), and how far they are from each
-//!    other ([`hausdorff_distance`]).
-//!    [`closed_form`]: which fractions and roots doubles come near.
+//!    shapes of space ([`exact_projection`]), where two shapes meet ([`intersection()`]), and how far they are from
+//!    each other ([`hausdorff_distance`]). [`closed_form`]: which fractions and roots doubles come near.
 //!
 //! # The papers
 //!

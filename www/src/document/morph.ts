@@ -200,6 +200,12 @@ export const shown: ReadonlySignal<MapRow[]> = computed(() => {
   return editing.target === "a" ? a.value : b.value;
 });
 
+/**
+ * How often the chaos game takes each map that the stage shows, where the document says so. `weights.ts` keeps it, once
+ * a document has some: most have none.
+ */
+export const ownWeights = signal<number[] | undefined>(undefined);
+
 /** The elementwise morph at the same moment, for the comparison. */
 export const linear: ReadonlySignal<MapRow[]> = computed(() =>
   mapsAt(uv.value, { ...morphOptions.value, mode: "linear" }),

@@ -4,8 +4,7 @@ import { weighted } from "#geometry/maps/weighted";
 import type { Uv } from "#geometry/path";
 import type { MorphOptions, Pairing } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { here, locusView, morphOptions, pairing, selection, uv } from "./morph";
-import { ownWeights } from "./own-weights";
+import { here, locusView, morphOptions, ownWeights, pairing, selection, uv } from "./morph";
 import { scene } from "./scene";
 
 const a = computed(() => scene.value.a);

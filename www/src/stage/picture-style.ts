@@ -1,6 +1,5 @@
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
-import { shownColours } from "#document/morph";
-import { ownWeights } from "#document/own-weights";
+import { ownWeights, shownColours } from "#document/morph";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import type { RenderStyle } from "#wasm/core";

@@ -1,8 +1,7 @@
 import "./mesh/seen";
 import "#ui/panel/panel.css";
 import { ownColours } from "#document/colours";
-import { standing } from "#document/morph";
-import { ownWeights } from "#document/own-weights";
+import { ownWeights, standing } from "#document/morph";
 import { scene } from "#document/scene";
 import type { Tool } from "#stage/tool";
 import { PanelFoot } from "#ui/panel/PanelFoot";

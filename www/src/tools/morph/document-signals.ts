@@ -2,8 +2,7 @@
 
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { ownColours } from "#document/colours";
-import { current } from "#document/morph";
-import { ownWeights } from "#document/own-weights";
+import { current, ownWeights } from "#document/morph";
 import { scene } from "#document/scene";
 import type { NamedMaps } from "#ui/files/exporting";
 import type { Colouring, Mode, PathKind, Shape } from "#wasm/api";

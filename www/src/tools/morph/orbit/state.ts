@@ -2,7 +2,7 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { bend } from "#document/deform/bend";
 import { type Box, boxOf } from "#document/framing";
-import { ownWeights } from "#document/own-weights";
+import { ownWeights } from "#document/morph";
 import type { Screen } from "#geometry/coordinates";
 import { toScreen, toWorld, world } from "#geometry/coordinates";
 import { imageOf } from "#geometry/maps/affine2";
