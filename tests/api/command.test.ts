@@ -412,6 +412,8 @@ with zipfile.ZipFile("read.zip") as file:
     expect([decided.status, JSON.parse(decided.stdout).verdict]).toEqual([1, "disconnected"]);
     expect(frond("certificate", "dust.json", "--out", "proof.json").status).toBe(0);
     expect(frond("check", "proof.json").status).toBe(0);
+    const far = frond("distance", "a=gasket&b=gasket");
+    expect([far.status, JSON.parse(far.stdout).lower]).toEqual([0, 0]);
     writeFileSync(join(app, "bad.json"), "{}");
     expect(frond("check", "bad.json").status).toBeGreaterThan(0);
   });

@@ -239,6 +239,7 @@ function samples(entries) {
       rateCandidate: () => [gasket(), gasket(), { size: 7 }],
       findPath3: () => [rows3(), rows3(), { size: 5 }],
       barnsleyTest: () => [gasket(), { iterations: 3 }],
+      hausdorffDistance: () => [gasket(), gasket(), { budget: 1000 }],
       attractor: () => [gasket(), { points: 50 }],
       attractor3: () => [rows3(), { points: 50 }],
       shadow: () => [rows3(), [0, 0, 1], { points: 50 }],

@@ -1,11 +1,12 @@
 import { readFile } from "node:fs/promises";
 import { beforeAll, describe, expect, it } from "vitest";
 import init, * as frond from "../../www/pkg/index.js";
+import type { MapRow } from "../../www/src/wasm/api";
 
 const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.meta.url));
 
 /** What docs/package.md promises of the package's first entry. */
-const PROMISED = `presets validate attractor rasterize bounds connectedness certificate connectedCertificate checkCertificate indexBuffer
+const PROMISED = `presets validate attractor rasterize bounds connectedness hausdorffDistance certificate connectedCertificate checkCertificate indexBuffer
   barnsleyTest pair interpolate halfTurns locus LocusTiles planPath planPathIn checkPath certifyPath candidates rateCandidate routes ways
   familyMaps criticalScale FamilyTiles PathSearch conjugate polar encodeScene decodeScene defaultScene settleLocus settleFamily
   CurveMorph curvePresets curveFacts packCurve unpackCurve quantised curveMaps curveCopies curveSteps curveSvg curveCsv
@@ -56,6 +57,22 @@ describe("the package", () => {
     );
     expect(refused([0, 0, Number.NaN, 1])).toMatch(/^index-buffer-window: /);
     expect(refused([0, 0, 1])).toMatch(/^bad-input: /);
+  });
+
+  it("measures how far two shapes are from each other, between bounds", () => {
+    const scaled = (size: number, ...places: number[]) => ({
+      maps: places.map((place): MapRow => [size, 0, 0, size, place, 0]),
+    });
+    // The middle of a segment is farthest from Cantor's dust: 1/6.
+    const [dust, segment] = [scaled(1 / 3, 0, 2 / 3), scaled(0.5, 0, 0.5)];
+    const { lower, upper, points } = frond.hausdorffDistance(segment, dust, { tolerance: 1e-6 });
+    expect(lower).toBeLessThanOrEqual(1 / 6);
+    expect(upper).toBeGreaterThanOrEqual(1 / 6);
+    expect(upper - lower).toBeLessThan(1e-5);
+    expect(points[0][0]).toBeCloseTo(0.5, 5);
+    expect(() => frond.hausdorffDistance(dust, segment, { tolerance: 0 })).toThrowError(
+      expect.objectContaining({ code: "bad-input" }),
+    );
   });
 
   it("hands what one module gives to the other", () => {

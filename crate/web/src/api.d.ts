@@ -662,6 +662,16 @@ export interface BarnsleyTest {
   rounds: { distance: number; bound: number }[];
 }
 
+/** The Hausdorff distance of two shapes, in units of the plane. */
+export interface HausdorffDistance {
+  /** It is not less. */
+  lower: number;
+  /** It is not more. */
+  upper: number;
+  /** A point of the first shape and one of the second: one is at least `lower` from all of the other shape. */
+  points: [[number, number], [number, number]];
+}
+
 /** A map of a graph-directed system: a copy of a state, counted from 0. */
 export interface DirectedMap {
   from: number;

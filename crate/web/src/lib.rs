@@ -98,9 +98,9 @@ const TYPES: &str = include_str!("api.d.ts");
 #[cfg(all(feature = "proof", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"import type {
-  BarnsleyTest, Bounds, Candidate, Certificate, CertificateCheck, CertifyOptions, ConnectedCertificate, Connectedness, FamilyOptions, Ifs,
-  IndexBuffer, IndexBufferOptions, Locus, LocusOptions, MorphOptions, PathCertificate, PathCheck, PathOptions, PathPlan, PathPoint,
-  PolygonFamily, RatedCandidate, Route
+  BarnsleyTest, Bounds, Candidate, Certificate, CertificateCheck, CertifyOptions, ConnectedCertificate, Connectedness, FamilyOptions,
+  HausdorffDistance, Ifs, IndexBuffer, IndexBufferOptions, Locus, LocusOptions, MorphOptions,
+  PathCertificate, PathCheck, PathOptions, PathPlan, PathPoint, PolygonFamily, RatedCandidate, Route
 } from "./frond.js";"#;
 
 /// What bends, too.

@@ -3,6 +3,7 @@
 mod certificates;
 mod certify;
 mod connectedness;
+mod distance;
 mod evidence;
 mod family;
 mod locus;
@@ -10,4 +11,7 @@ mod path;
 mod routes;
 mod settle;
 
-pub use {certificates::*, certify::*, connectedness::*, family::*, locus::*, path::*, routes::*, settle::*};
+pub use {
+    certificates::*, certify::*, connectedness::*, distance::*, family::*, locus::*, path::*, routes::*,
+    settle::*,
+};

@@ -10,6 +10,7 @@ export const NAMES = {
   checkPath: ["proof", 4],
   connectedCertificate: ["proof", 2],
   connectedness: ["proof", 2],
+  hausdorffDistance: ["proof", 3],
   indexBuffer: ["proof", 2],
   locus: ["proof", 3],
   planPath: ["proof", 3],

@@ -53,6 +53,15 @@ export async function connectedness(word: string, options: Options, system: Syst
   return found.verdict === "connected" || found.verdict === "touching" ? 0 : 1;
 }
 
+/** Of the two shapes of a link. */
+export async function distance(word: string, options: Options, system: System): Promise<number> {
+  const tolerance = number(options, "tolerance", 1e-9, 1, 1e-4);
+  const { a, b } = await sceneOf(word, system);
+  const found = await system.pool().hausdorffDistance({ maps: a.maps }, { maps: b.maps }, { tolerance });
+  system.print(JSON.stringify(found, null, 2));
+  return 0;
+}
+
 export async function exported(word: string, options: Options, system: System): Promise<number> {
   const { exportFormats, exportMaps } = await system.exchange();
   const formats = exportFormats().map(({ id }) => id);

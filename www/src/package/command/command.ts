@@ -1,5 +1,5 @@
 /** The command `frond`: pictures, films, loci and answers without a browser. What the system gives is handed in. */
-import { connectedness, exported, locus } from "./answers";
+import { connectedness, distance, exported, locus } from "./answers";
 import { certificate, check } from "./certificate";
 import { render } from "./draw/render";
 import * as help from "./help";
@@ -15,6 +15,7 @@ const COMMANDS: Readonly<Record<string, help.Words & { run: Command }>> = {
   render: { ...help.RENDER, run: render },
   locus: { ...help.LOCUS, run: locus },
   connectedness: { ...help.CONNECTEDNESS, run: connectedness },
+  distance: { ...help.DISTANCE, run: distance },
   certificate: { ...help.CERTIFICATE, run: certificate },
   check: { ...help.CHECK, run: check },
   plan: { ...help.PLAN, run: plan },

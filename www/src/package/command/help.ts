@@ -82,6 +82,19 @@ export const CONNECTEDNESS: Words = {
   examples: ["frond connectedness shape.ifs"],
 };
 
+export const DISTANCE: Words = {
+  takes: "LINK|-",
+  short: "how far A and B are from each other (Hausdorff distance), as JSON",
+  options: [
+    ["tolerance", "0.0001", "how near the bounds shall be, in parts of the size of both; without it 0.0001"],
+    QUIET,
+  ],
+  more:
+    "The distance is between lower and upper. Of the two points one lies in A and one in B; one of them is " +
+    "at least lower from all of the other shape.",
+  examples: ['frond distance "a=fern&b=tree"'],
+};
+
 export const CERTIFICATE: Words = {
   takes: SUBJECT,
   short: "a proof of what connectedness says, as JSON that check replays",

@@ -29,6 +29,9 @@ export interface Pool {
   planPath(...args: Parameters<Proof["planPath"]>): Promise<PathPlan>;
   certifyPath(...args: Parameters<Proof["certifyPath"]>): Promise<PathCertificate>;
   connectedness(...args: Parameters<Proof["connectedness"]>): Promise<ReturnType<Proof["connectedness"]>>;
+  hausdorffDistance(
+    ...args: Parameters<Proof["hausdorffDistance"]>
+  ): Promise<ReturnType<Proof["hausdorffDistance"]>>;
   certificate(...args: Parameters<Proof["certificate"]>): Promise<ReturnType<Proof["certificate"]>>;
   connectedCertificate(
     ...args: Parameters<Proof["connectedCertificate"]>

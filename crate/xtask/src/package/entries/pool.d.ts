@@ -17,6 +17,7 @@ type Functions = Pick<Draw, "attractor" | "rasterize"> &
     | "checkPath"
     | "connectedCertificate"
     | "connectedness"
+    | "hausdorffDistance"
     | "indexBuffer"
     | "locus"
     | "planPath"
