@@ -23,6 +23,7 @@ import { shownObject } from "../../www/src/workers/space/shown";
 vi.mock("../../www/src/wasm/space", async () => ({
   solid: await import("../../www/pkg/frond-space.js"),
   loadSpace: async () => {},
+  compileSpace: async () => undefined,
 }));
 
 const blank = { ...scene.peek() };

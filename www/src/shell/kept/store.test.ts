@@ -124,7 +124,7 @@ it("lets a newer page have the store, and tells the old one", async () => {
   await store.put(row(1));
   const newer = await openDB("frond", VERSION + 1, { upgrade() {} });
   const problem = await store.put(row(2)).catch((reason: unknown) => reason);
-  expect(reasonOf(problem)).toMatch(/newer Frond/);
+  expect(reasonOf(problem)).toMatch(/newer version of Frond/);
   expect(await newer.count("documents")).toBe(1);
   newer.close();
   globalThis.indexedDB = new IDBFactory();
