@@ -1,8 +1,9 @@
 //! What is exchanged: the maps of one system.
 
-use frond_core::{Affine2, Affine3, Ifs, Ifs3, IfsError};
-pub use frond_scene::{Row, Row3};
+use frond_core::{Affine2, Affine3, DirectedError, DirectedIfs, DirectedMap, Ifs, Ifs3};
+pub use frond_scene::{DirectedCopy, Row, Row3};
 
+use crate::ambient::Ambient;
 use crate::text::name_or;
 
 /// The maps of a system.
@@ -12,29 +13,63 @@ pub enum Maps {
     Plane(Vec<Row>),
     /// Of space.
     Space(Vec<Row3>),
+    /// Of the plane, and of several states, the shape first.
+    Directed(Vec<Vec<DirectedCopy>>),
+    /// Of space, and of several shapes that lie side by side.
+    Objects(Vec<Vec<Row3>>),
+}
+
+/// From where a shape is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Camera {
+    /// In the plane.
+    Plane {
+        /// The point in the middle.
+        centre: [f64; 2],
+        /// The radius of the largest disc around it that is in view.
+        radius: f64,
+        /// How far the view is turned, in degrees.
+        angle: f64,
+    },
+    /// In space.
+    Space {
+        /// Where the camera stands.
+        eye: [f64; 3],
+        /// What it looks at.
+        target: [f64; 3],
+        /// What is above.
+        up: [f64; 3],
+        /// Its field of view, in degrees.
+        field: f64,
+    },
 }
 
 impl Maps {
     /// How many there are.
     #[must_use]
-    pub const fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         match self {
             Self::Plane(rows) => rows.len(),
             Self::Space(rows) => rows.len(),
+            Self::Directed(states) => states.iter().map(Vec::len).sum(),
+            Self::Objects(objects) => objects.iter().map(Vec::len).sum(),
         }
     }
 
     /// Whether there are none.
     #[must_use]
-    pub const fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The numbers of each map.
-    pub(crate) fn rows(&self) -> Vec<&[f64]> {
+    /// The numbers of each map, of all states and objects.
+    #[must_use]
+    pub fn rows(&self) -> Vec<&[f64]> {
         match self {
             Self::Plane(rows) => rows.iter().map(|row| &row[..]).collect(),
             Self::Space(rows) => rows.iter().map(|row| &row[..]).collect(),
+            Self::Directed(states) => states.iter().flatten().map(|copy| &copy.map[..]).collect(),
+            Self::Objects(objects) => objects.iter().flatten().map(|row| &row[..]).collect(),
         }
     }
 }
@@ -53,13 +88,25 @@ pub struct System {
     pub colours: Vec<[u8; 3]>,
     /// What was left out or changed in reading it, a sentence each.
     pub remarks: Vec<String>,
+    /// The view that its file has.
+    pub camera: Option<Camera>,
+    /// The exact system that its maps were computed from, where it is known.
+    pub ambient: Option<Ambient>,
 }
 
 impl System {
     /// A system of which no more is known.
     #[must_use]
     pub const fn of(name: String, maps: Maps) -> Self {
-        Self { name, maps, probabilities: Vec::new(), colours: Vec::new(), remarks: Vec::new() }
+        Self {
+            name,
+            maps,
+            probabilities: Vec::new(),
+            colours: Vec::new(),
+            remarks: Vec::new(),
+            camera: None,
+            ambient: None,
+        }
     }
 
     /// A system of the plane.
@@ -77,9 +124,18 @@ impl System {
     /// Whether it has an attractor that can be drawn.
     ///
     /// # Errors
-    /// [`IfsError`] where it has none.
-    pub fn check(&self) -> Result<(), IfsError> {
-        self.found_probabilities().map(|_| ())
+    /// [`DirectedError`] where it has none.
+    pub fn check(&self) -> Result<(), DirectedError> {
+        match &self.maps {
+            Maps::Directed(states) => {
+                let map =
+                    |copy: &DirectedCopy| DirectedMap { from: copy.from, map: Affine2::from_row(copy.map) };
+                DirectedIfs::new(states.iter().map(|maps| maps.iter().map(map).collect()).collect())
+                    .map(|_| ())
+            }
+            Maps::Objects(objects) => objects.iter().try_for_each(|rows| solid(rows).map(|_| ())),
+            _ => self.found_probabilities().map(|_| ()),
+        }
     }
 
     /// Its name in one line, fit for a remark of a program.
@@ -139,16 +195,19 @@ impl System {
         self.remarks.push(format!("{why}. They are left out."));
     }
 
-    fn found_probabilities(&self) -> Result<Vec<f64>, IfsError> {
+    fn found_probabilities(&self) -> Result<Vec<f64>, DirectedError> {
         match &self.maps {
             Maps::Plane(rows) => {
                 let maps = rows.iter().map(|&row| Affine2::from_row(row)).collect();
-                Ifs::new(maps).map(|ifs| ifs.probabilities().to_vec())
+                Ok(Ifs::new(maps)?.probabilities().to_vec())
             }
-            Maps::Space(rows) => {
-                let maps = rows.iter().map(|&row| Affine3::from_row(row)).collect();
-                Ifs3::new(maps).map(|ifs| ifs.probabilities().to_vec())
-            }
+            Maps::Space(rows) => Ok(solid(rows)?.probabilities().to_vec()),
+            // Each state has its own.
+            Maps::Directed(_) | Maps::Objects(_) => Ok(Vec::new()),
         }
     }
+}
+
+fn solid(rows: &[Row3]) -> Result<Ifs3, DirectedError> {
+    Ok(Ifs3::new(rows.iter().map(|&row| Affine3::from_row(row)).collect())?)
 }

@@ -1,5 +1,6 @@
 //! Texts, a format each.
 
+mod aifs;
 mod csv;
 mod depth;
 mod desmos;

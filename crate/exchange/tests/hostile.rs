@@ -3,7 +3,7 @@
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use frond_exchange::{ImportError, Imported, Maps, import, link_in_png};
+use frond_exchange::{ImportError, Imported, import, link_in_png};
 use peak_alloc::PeakAlloc;
 use proptest::prelude::*;
 
@@ -36,10 +36,7 @@ fn read(bytes: &[u8]) -> Result<Imported, ImportError> {
             assert!(found.systems.iter().all(|system| (1..=64).contains(&system.maps.len())));
             assert!(found.systems.iter().all(|system| system.name.chars().count() <= 60));
             for system in &found.systems {
-                let finite = match &system.maps {
-                    Maps::Plane(rows) => rows.iter().flatten().all(|x| x.is_finite()),
-                    Maps::Space(rows) => rows.iter().flatten().all(|x| x.is_finite()),
-                };
+                let finite = system.maps.rows().into_iter().flatten().all(|x| x.is_finite());
                 let (weights, sum) = (&system.probabilities, system.probabilities.iter().sum::<f64>());
                 let sound =
                     weights.is_empty() || weights.len() == system.maps.len() && sum > 0.0 && sum.is_finite();
@@ -135,10 +132,10 @@ fn what_one_line_says_is_not_looked_at_for_each_thing_anew() {
     let names: String = (0..80_000).map(|k| format!("x{k}=1\n")).collect();
     assert_eq!(code(&format!("@b\n$a=h\n{names}{blocks}")), "aifs-nothing");
     let sets: String = (0..60_000).map(|k| format!("x{k}=x{k}\n")).collect();
-    assert_eq!(code(&format!("@b\n$a=h\n{sets}{blocks}")), "aifs-unread");
+    assert_eq!(code(&format!("@b\n$a=h\n{sets}{blocks}")), "ifstile");
     let blanks = fill(" ", 1 << 20);
     let often = vec!["x"; 5000].join("+");
-    assert_eq!(code(&format!("@b\n$a=h\nx=1{blanks}+1\nA=({often})*A\n{blocks}")), "aifs-unread");
+    assert_eq!(code(&format!("@b\n$a=h\nx=1{blanks}+1\nA=({often})*A\n{blocks}")), "ifstile");
     assert_eq!(code(&format!("@b\n$a=h\n$n=a{blanks}b\nA=[.5,0,0,.5]*A\n{blocks}")), "ifstile");
     let found = read(format!("@b\n$a=h\n$n=a{blanks}b\nA=[.5,0,0,.5]*A\n{blocks}").as_bytes()).unwrap();
     assert!(found.remarks.iter().any(|remark| remark.contains("too many steps")), "{:?}", found.remarks);

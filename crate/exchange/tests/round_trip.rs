@@ -8,10 +8,7 @@ const DOUBLES: [ExportFormat; 4] =
     [ExportFormat::Json, ExportFormat::Fractint, ExportFormat::Flame, ExportFormat::Csv];
 
 fn bits(maps: &Maps) -> Vec<u64> {
-    match maps {
-        Maps::Plane(rows) => rows.iter().flatten().map(|x| x.to_bits()).collect(),
-        Maps::Space(rows) => rows.iter().flatten().map(|x| x.to_bits()).collect(),
-    }
+    maps.rows().into_iter().flatten().map(|x| x.to_bits()).collect()
 }
 
 /// The name that a format can hold: one line of at most 60 letters, in JSON as it is, in a flame what stands for none,

@@ -1,133 +1,174 @@
-//! `.aifs` files of IFStile: a part of them, as [`blocks::SUBSET`] says it to whoever opens one.
+//! `.aifs` programs of IFStile: all of the language that describes systems.
 //!
 //! A file has blocks, `@id:parent`, of definitions `name=value`; a block has those of its parent, too. `[x, y]` is a
-//! translation and `[a, b, c, d]` a matrix, `*` composes, `|` unites, and the shape is a set that is made of its own
-//! images: `S=(f|g)*S`. Nothing in a file is run: what is not listed is refused, with its line.
+//! translation and `[a, b, c, d]` a matrix, `*` composes, `|` unites, and shapes are sets that are made of images of
+//! sets: `S=(f|g)*S`. Numbers stay rational as long as they can. `$subspace` chooses what is drawn of a space of more
+//! dimensions; only then is anything rounded. Blocks are functions, too, and lists may be made by conditions: so all
+//! steps are counted. Scripts are never run, other files never fetched. The language is described on the site of
+//! IFStile.
+//!
+//! To be read in this order: `blocks` and `syntax`, what is written; `rational`, `number`, `affine` and `value`, what is
+//! computed with; `machine`, `evaluate`, `arrays` and `builtin`, how; `sets`, which names are sets; `fixed`, `roots`,
+//! `subspace` and `similar`, what is drawn of a space; `shape`, what comes out.
 
+mod affine;
+mod arrays;
 mod blocks;
-mod scope;
+mod builtin;
+mod evaluate;
+mod fixed;
+mod machine;
+mod number;
+mod rational;
+mod roots;
+mod sets;
+mod shape;
+mod similar;
+mod subspace;
+mod syntax;
 mod value;
 
 use super::problem::{Gathered, ImportError, MAX_SYSTEMS};
 use crate::system::System;
-use blocks::{Block, MAX_BLOCKS, blocks, refused};
-use scope::{MAX_DEPTH, Scope};
+use crate::text::{name_or, short};
+use blocks::{Program, refused};
+use builtin::TEMPLATE;
+use machine::{Frame, Machine};
 
 /// Steps of arithmetic for one block, and for all of a file.
-const MAX_STEPS: usize = 20_000;
-const MAX_FILE_STEPS: usize = 2_000_000;
+const MAX_STEPS: usize = 1_000_000;
+const MAX_FILE_STEPS: usize = 4_000_000;
+/// Shapes of one block that are not made of each other.
+const MAX_SHAPES: usize = 16;
+/// What is read, or says nothing of shapes.
+const KNOWN: [&str; 6] = ["$n", "$a", "$dim", "$subspace", "$root", "$camera"];
 
 /// Reads the blocks that have an equation of a set.
 pub fn read_ifstile(text: &str) -> Result<Gathered, ImportError> {
-    let blocks = blocks(text)?;
+    let program = blocks::read(text)?;
     let mut all = Gathered::default();
-    let count = text.lines().filter(|line| line.trim_start().starts_with('@')).count();
-    if count > MAX_BLOCKS {
-        all.remarks.push(format!("The file has {count} blocks: the first {MAX_BLOCKS} are looked at."));
+    let (mut left, mut templates, mut first_template) = (MAX_FILE_STEPS, 0, None);
+    for k in 0..program.blocks.len() {
+        // What others are built on is hidden, and may not be complete.
+        if left == 0 || program.hidden(k) || all.systems.len() >= MAX_SYSTEMS {
+            continue;
+        }
+        match shapes(&program, k, &mut left) {
+            Ok(found) => all.extend_with_all(found),
+            Err(error) if error.code() == TEMPLATE => {
+                templates += 1;
+                first_template.get_or_insert(error);
+            }
+            // What the file has no steps left for is not wrong.
+            Err(_) if left == 0 => {}
+            Err(error) => all.take(Err(error)),
+        }
     }
-    let mut left = MAX_FILE_STEPS;
-    for (k, block) in blocks.iter().enumerate() {
-        if left == 0 {
-            let line = block.line;
-            all.remarks.push(format!("The file takes too many steps to compute: it is read to line {line}."));
+    if left == 0 {
+        all.remarks.push("The file takes too many steps to compute: not all of its blocks are read.".into());
+    }
+    if templates > 0 && !all.systems.is_empty() {
+        let words = if templates == 1 {
+            "1 block is a template".into()
+        } else {
+            format!("{templates} blocks are templates")
+        };
+        all.remarks.push(format!("{words} of IFStile's finder, and left out: each stands for many shapes."));
+    }
+    let mut said = program.remarks;
+    said.append(&mut all.remarks);
+    all.remarks = said;
+    all.finish(first_template.unwrap_or_else(|| {
+        refused("aifs-nothing", 1, "No block has an equation of a set. Write one, such as S=(f|g)*S.")
+    }))
+}
+
+/// The systems of a block: the one that `$root` names, or its first set, and sets that are no part of one before.
+/// What steps they take are taken from those that are left.
+fn shapes(program: &Program<'_>, k: usize, left: &mut usize) -> Result<Vec<System>, ImportError> {
+    let (chain, circle) = program.chain(k);
+    let line = program.blocks[k].line;
+    let most = MAX_STEPS.min(*left);
+    let mut machine = Machine::new(program, Frame::new(chain, Vec::new(), 2), line, most);
+    let found = read_shapes(&mut machine, k, circle);
+    *left -= (most - machine.steps).min(*left);
+    found
+}
+
+fn read_shapes(machine: &mut Machine<'_, '_>, k: usize, circle: bool) -> Result<Vec<System>, ImportError> {
+    let program = machine.program;
+    let sets = machine.find_sets()?;
+    if sets.all.is_empty() {
+        return Ok(Vec::new());
+    }
+    let block = &program.blocks[k];
+    if !block.inherits.is_empty() && block.parent.is_none() && block.id != block.inherits {
+        let parent = short(block.inherits, 20);
+        return machine
+            .fail(format!("There is no block “{parent}” in the file, which this one inherits. Add it."));
+    }
+    machine.measure()?;
+    let mut names = sets.all.clone();
+    let root = machine.definition("$root").map(|it| (it.value.trim(), it.line));
+    if let Some((root, line)) = root {
+        machine.line = line;
+        let Some(at) = names.iter().position(|name| *name == root) else {
+            return machine.fail(format!("$root names “{}”, which is no set of the block.", short(root, 20)));
+        };
+        names.rotate_left(at);
+    }
+    let mut remarks = left_out(machine);
+    if circle {
+        remarks.push(
+            "Its block and another inherit each other: each is read with what the other defines.".into(),
+        );
+    }
+    let title = machine.definition("$n").map_or("", |it| it.value);
+    machine.charge(title.len() / 64)?;
+    let title = name_or(title.trim_matches('"'), "");
+    let mut done: Vec<&str> = Vec::new();
+    let mut systems = Vec::new();
+    for (at, name) in names.iter().enumerate() {
+        if done.contains(name) {
+            continue;
+        }
+        if systems.len() == MAX_SHAPES {
+            let count = names[at..].iter().filter(|name| !done.contains(name)).count();
+            remarks.push(format!("The block has {count} sets more, which are left out."));
             break;
         }
-        // What others are built on is hidden, and may not be complete.
-        if !block.hidden() && all.systems.len() < MAX_SYSTEMS {
-            all.extend_with(system(&blocks, k, &mut left));
-        }
+        let graph = machine.graph(&sets, name)?;
+        done.push(name);
+        done.extend(&graph.names);
+        let mut system = machine.shape(&graph)?;
+        system.name = match (title.is_empty(), systems.is_empty()) {
+            (_, true) => title.clone(),
+            (true, false) => short(name, 20),
+            (false, false) => name_or(&format!("{title}, {}", short(name, 20)), ""),
+        };
+        systems.push(system);
     }
-    all.finish(refused("aifs-nothing", 1, "No block has an equation of a set."))
+    if let Some(first) = systems.first_mut() {
+        first.remarks.extend(remarks);
+    }
+    Ok(systems)
 }
 
-/// The system of a block; nothing where it has no set. What steps it takes are taken from those that are left.
-fn system<'a>(blocks: &'a [Block<'a>], k: usize, left: &mut usize) -> Option<Result<System, ImportError>> {
-    let most = MAX_STEPS.min(*left);
-    let mut scope = Scope { chain: Vec::new(), size: 2, set: "", line: blocks[k].line, steps: 0, most };
-    let mut next = Some(k);
-    while let Some(block) = next.filter(|_| scope.chain.len() < MAX_DEPTH) {
-        scope.chain.push(&blocks[block]);
-        next = blocks[block].parent;
+/// What is said of variables of the language that are not read.
+fn left_out(machine: &Machine<'_, '_>) -> Vec<String> {
+    let chain = &machine.frame().chain;
+    let mut names: Vec<&str> = chain
+        .iter()
+        .flat_map(|&one| &machine.program.blocks[one].definitions)
+        .map(|it| it.name)
+        .filter(|name| name.starts_with('$') && !KNOWN.contains(name))
+        .take(6)
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    if names.is_empty() {
+        return Vec::new();
     }
-    let found = scope.find_set().and_then(|set| {
-        scope.set = set.unwrap_or_default();
-        set.map(|_| scope.read()).transpose()
-    });
-    *left -= scope.steps.min(*left);
-    found.transpose()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::blocks::SUBSET;
-    use super::*;
-    use crate::system::Maps;
-
-    fn rows(text: &str) -> Vec<[f64; 6]> {
-        match read_ifstile(text).unwrap().systems.remove(0).maps {
-            Maps::Plane(rows) => rows,
-            Maps::Space(_) => Vec::new(),
-        }
-    }
-
-    fn told(text: &str) -> String {
-        read_ifstile(text).map(|_| ()).unwrap_err().to_string()
-    }
-
-    #[test]
-    fn an_equation_of_a_set_is_a_system() {
-        let dragon = [[0.5, -0.5, 0.5, 0.5, 0.0, 0.0], [-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]];
-        for text in [
-            "@\n$dim=2\nf1=[0,0]*[0.5,-0.5,0.5,0.5]\nf2=[1,0]*[-0.5,-0.5,0.5,-0.5]\nS=(f1|f2)*S",
-            "@@version 4\n@ # by hand\nA = [.5,-1/2,2^-1,0.5]*A | [1,0] * [-.5,-.5,5e-1,-.5] * A\r\n",
-            "@base\n$a=h\nh=2^-1\nS=(f|g)*S\n@:base\n$dim=2\n$n=Dragon\nf=h*[1,-1,1,1]\ng=[1,0]*h*[-1,-1,1,-1]",
-        ] {
-            assert_eq!(rows(text), dragon, "{text}");
-        }
-        // A scale before a shift scales it, too.
-        assert_eq!(
-            rows("@\nA=(2^-1*[1,0]|[1,0]*2^-1)*A"),
-            [[0.5, 0.0, 0.0, 0.5, 0.5, 0.0], [0.5, 0.0, 0.0, 0.5, 1.0, 0.0]]
-        );
-        assert_eq!(rows("@\nf=[.5,0,0,.5]\ng=[1,0]\nA=f^2*A|f*g*A|-f*A").len(), 3);
-        let solid = read_ifstile("@\n$dim=3\nA=([1,0,0]|[0,0,0])*2^-1*A").unwrap().systems.remove(0);
-        assert_eq!(solid.maps.len(), 2);
-    }
-
-    #[test]
-    fn hidden_blocks_are_no_shapes_of_their_own() {
-        let found = |letter: char| read_ifstile(&format!("@b\n$a={letter}\nA=[.5,0,0,.5]*A\n@:b\n$n=Two\n"));
-        let names = |letter| found(letter).unwrap().systems.into_iter().map(|it| it.name).collect::<Vec<_>>();
-        assert_eq!(names('h'), ["Two"]);
-        assert_eq!(names('x'), ["", "Two"]);
-    }
-
-    #[test]
-    fn a_set_is_what_mentions_itself_where_it_is_last_defined() {
-        let half = "[.5,0,0,.5]";
-        assert_eq!(rows(&format!("@b\nA={half}*A\nB=(1|A)*B\n@:b\nA={half}\n"))[1][0], 0.5);
-        assert_eq!(rows(&format!("@\nA=A*A\nA={half}\nB=A*B\n")).len(), 1);
-        assert!(told(&format!("@\nA={half}*A\nB={half}*B\n")).contains("“A” and “B” are two sets."));
-    }
-
-    #[test]
-    fn what_is_not_read_is_told_with_its_line() {
-        for (text, start) in [
-            ("@\n$dim=2\n$subspace=[s,0]\nA=A", "Line 3: $subspace"),
-            ("@\n$dim=4\nA=A", "Line 2: $dim"),
-            ("@\ns=$companion([1,1])\nA=s*A", "Line 2: “$companion(”"),
-            ("@\nA=h*A\nh=k", "Line 3: “k”"),
-            ("@\nA=h*B|A\nB=h*A|B", "Line 1: “A” and “B” are two sets."),
-            ("@\nA=[1,0*A", "Line 2: Lists"),
-            ("@\nA=[1,2,3]*A", "Line 2: A list of 3 numbers"),
-            ("@\nA=(1|2|3|4|5)^3*A", "Line 2: There are more than 64 maps"),
-            ("@\na=b\nb=a\nA=a*A", "Line 2: Names or brackets go on"),
-            ("@@import x.aifs", "Line 1: Other files are not fetched."),
-            ("@\nh=1", "Line 1: No block has an equation"),
-            ("@\nA=2^9999*A", "Line 2: A number becomes too large."),
-        ] {
-            assert!(told(text).starts_with(start), "{text}: {}", told(text));
-            assert!(told(text).ends_with(SUBSET));
-        }
-    }
+    let words: Vec<String> = names.iter().map(|name| short(name, 20)).collect();
+    vec![format!("{} of the block says nothing here, and is left out.", words.join(", "))]
 }

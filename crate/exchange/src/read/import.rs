@@ -159,6 +159,10 @@ fn format_of(bytes: &[u8]) -> Result<FileFormat, ImportError> {
     if text.starts_with('[') || object {
         return Ok(FileFormat::Json);
     }
+    // A script of IFStile ends with a line of its own.
+    if text.lines().any(|line| line.trim() == "@@") {
+        return Ok(FileFormat::IfsTile);
+    }
     // Within braces there may be anything: a remark, or an address.
     let mut lines = text.lines().take_while(|line| !line.contains('{')).map(str::trim_start);
     if lines.any(|line| line.starts_with('@') || line.starts_with("$dim")) {
@@ -220,6 +224,7 @@ mod tests {
             (b" {\"maps\": []}", "json"),
             (b"[[1,2,3,4,5,6]]", "json"),
             (b"# by hand\n@\n$dim=2\nA=A", "ifstile"),
+            (b"export const f = (x) => { return x; };\n@@\n@\nA=A", "ifstile"),
             (b"a,b,c,d,e,f\n1,2,3,4,5,6\n", "table"),
             (b"{{1,2,3,4,5,6}}", "table"),
             (b"\\begin{tabular}{c}\n1&2\\\\", "table"),

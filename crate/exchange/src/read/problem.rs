@@ -103,11 +103,10 @@ impl Gathered {
         }
     }
 
-    /// What there may be.
-    pub fn extend_with(&mut self, read: Option<Result<System, ImportError>>) {
-        if let Some(read) = read {
-            self.take(read);
-        }
+    /// Several, no more than there may be.
+    pub fn extend_with_all(&mut self, read: Vec<System>) {
+        let room = MAX_SYSTEMS.saturating_sub(self.systems.len());
+        self.systems.extend(read.into_iter().take(room));
     }
 
     /// All that was read, or the first that is wrong.

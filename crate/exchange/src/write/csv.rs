@@ -5,8 +5,8 @@ use crate::system::{Maps, System};
 
 pub fn write(system: &System) -> String {
     let heading = match system.maps {
-        Maps::Plane(_) => "a,b,c,d,e,f,p",
-        Maps::Space(_) => "a,b,c,d,e,f,g,h,i,x,y,z,p",
+        Maps::Plane(_) | Maps::Directed(_) => "a,b,c,d,e,f,p",
+        Maps::Space(_) | Maps::Objects(_) => "a,b,c,d,e,f,g,h,i,x,y,z,p",
     };
     let mut text = format!("{heading}\n");
     for (row, weight) in system.maps.rows().into_iter().zip(system.weights()) {

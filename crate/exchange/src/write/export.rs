@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{csv, desmos, flame, fractint, geogebra, json, latex, python, svg, tikz};
+use super::{aifs, csv, desmos, flame, fractint, geogebra, json, latex, python, svg, tikz};
 use crate::system::{Maps, System};
 
 /// A form in which maps are written.
@@ -14,6 +14,8 @@ pub enum ExportFormat {
     Fractint,
     /// For flam3, Apophysis and others: linear.
     Flame,
+    /// A program for IFStile.
+    Aifs,
     /// Matrices for a paper.
     Latex,
     /// A figure for a paper.
@@ -32,10 +34,11 @@ pub enum ExportFormat {
 
 impl ExportFormat {
     /// All of them, the most asked for first.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Json,
         Self::Fractint,
         Self::Flame,
+        Self::Aifs,
         Self::Csv,
         Self::Svg,
         Self::Latex,
@@ -52,6 +55,7 @@ impl ExportFormat {
             Self::Json => "json",
             Self::Fractint => "fractint",
             Self::Flame => "flame",
+            Self::Aifs => "aifs",
             Self::Latex => "latex",
             Self::Tikz => "tikz",
             Self::Svg => "svg",
@@ -69,6 +73,7 @@ impl ExportFormat {
             Self::Json => "JSON",
             Self::Fractint => "Fractint",
             Self::Flame => "Flame",
+            Self::Aifs => "AIFS",
             Self::Latex => "LaTeX",
             Self::Tikz => "TikZ",
             Self::Svg => "SVG",
@@ -86,6 +91,7 @@ impl ExportFormat {
             Self::Json => "For Frond, which opens it again, and for programs. Every bit is kept.",
             Self::Fractint => "For Fractint and many other programs; opens here again. Every bit is kept.",
             Self::Flame => "For Apophysis, flam3 and their like; opens here again. Every bit is kept.",
+            Self::Aifs => "For IFStile, which finds dimensions and boundaries of tiles; opens here again.",
             Self::Latex => "The maps as matrices, for a paper. Needs amsmath.",
             Self::Svg => "A drawing of up to ten thousand pieces, for Inkscape, Illustrator and their like.",
             Self::Tikz => "A figure for a paper, of a thousand pieces or so.",
@@ -103,6 +109,7 @@ impl ExportFormat {
             Self::Json => "json",
             Self::Fractint => "ifs",
             Self::Flame => "flame",
+            Self::Aifs => "aifs",
             Self::Latex | Self::Tikz => "tex",
             Self::Python => "py",
             Self::Svg => "svg",
@@ -114,7 +121,7 @@ impl ExportFormat {
     /// Whether maps of space can be written so.
     #[must_use]
     pub const fn takes_space(self) -> bool {
-        matches!(self, Self::Json | Self::Fractint | Self::Csv | Self::Latex | Self::Python)
+        matches!(self, Self::Json | Self::Fractint | Self::Aifs | Self::Csv | Self::Latex | Self::Python)
     }
 
     /// The form with this name.
@@ -140,8 +147,16 @@ pub enum ExportError {
     )]
     Weights,
     /// The form is one of the plane.
-    #[error("{format} is written of maps of the plane alone. Choose JSON, Fractint, CSV, LaTeX or Python.")]
+    #[error(
+        "{format} is written of maps of the plane alone. Choose JSON, Fractint, AIFS, CSV, LaTeX or Python."
+    )]
     OfPlane {
+        /// What was asked for.
+        format: &'static str,
+    },
+    /// The form is one of systems of one state.
+    #[error("{format} is written of systems of one state alone. Choose AIFS.")]
+    OneState {
         /// What was asked for.
         format: &'static str,
     },
@@ -159,6 +174,7 @@ impl ExportError {
             Self::NotFinite => "export-not-finite",
             Self::Weights => "export-weights",
             Self::OfPlane { .. } => "export-plane-only",
+            Self::OneState { .. } => "export-one-state",
             Self::NoAttractor => "no-attractor",
         }
     }
@@ -180,6 +196,10 @@ pub fn export(system: &System, format: ExportFormat) -> Result<String, ExportErr
         return Err(ExportError::Weights);
     }
     match (format, &system.maps) {
+        (ExportFormat::Aifs, _) => Ok(aifs::write(system)),
+        (format, Maps::Directed(_) | Maps::Objects(_)) => {
+            Err(ExportError::OneState { format: format.label() })
+        }
         (ExportFormat::Json, _) => Ok(json::write(system)),
         (ExportFormat::Fractint, _) => Ok(fractint::write(system)),
         (ExportFormat::Csv, _) => Ok(csv::write(system)),

@@ -5,8 +5,8 @@ use crate::system::{Maps, System};
 
 pub fn write(system: &System) -> String {
     let size = match system.maps {
-        Maps::Plane(_) => 2,
-        Maps::Space(_) => 3,
+        Maps::Plane(_) | Maps::Directed(_) => 2,
+        Maps::Space(_) | Maps::Objects(_) => 3,
     };
     let matrix = |numbers: &[f64], columns: usize| {
         let rows: Vec<String> = numbers

@@ -1,47 +1,63 @@
-//! What is computed with: numbers, lists and maps.
+//! What expressions come to.
 
-/// What a name or a bracket stands for.
+use std::rc::Rc;
+
+use super::affine::Affine;
+use super::number::Number;
+
 #[derive(Clone, Debug)]
-pub enum Value {
-    Number(f64),
-    List(Vec<f64>),
-    /// Several: any of them.
-    Maps(Vec<Map>),
-    /// Images of the set.
-    Images(Vec<Map>),
+pub enum Value<'a> {
+    Number(Number),
+    List(Rc<Vec<Self>>),
+    Map(Rc<Affine>),
+    /// Several, any of them; or none.
+    Maps(Rc<Vec<Rc<Affine>>>),
+    /// Images of sets.
+    Images(Rc<Vec<Image>>),
+    /// A block, with what some of its variables are.
+    Block(Rc<Instance<'a>>),
 }
 
-/// `x' = matrix x + shift`, in two or three dimensions.
+/// The image of a set.
 #[derive(Clone, Debug)]
-pub struct Map {
-    pub size: usize,
-    pub matrix: [f64; 9],
-    pub shift: [f64; 3],
+pub struct Image {
+    pub map: Rc<Affine>,
+    /// The set, by its number.
+    pub set: usize,
 }
 
-impl Map {
-    pub fn scaling(size: usize, factor: f64) -> Self {
-        let mut map = Self { size, matrix: [0.0; 9], shift: [0.0; 3] };
-        (0..size).for_each(|k| map.matrix[k * size + k] = factor);
-        map
+#[derive(Debug)]
+pub struct Instance<'a> {
+    pub block: usize,
+    pub given: Vec<(&'a str, Value<'a>)>,
+}
+
+impl Value<'_> {
+    pub fn list(values: Vec<Self>) -> Self {
+        Self::List(Rc::new(values))
     }
 
-    /// First `inner`, then this.
-    pub fn after(&self, inner: &Self) -> Self {
-        let size = self.size;
-        let mut map = Self { size, matrix: [0.0; 9], shift: self.shift };
-        for row in 0..size {
-            for k in 0..size {
-                let x = self.matrix[row * size + k];
-                // Not times zero: that keeps infinities and the signs of zeros out.
-                if x != 0.0 {
-                    for column in 0..size {
-                        map.matrix[row * size + column] += x * inner.matrix[k * size + column];
-                    }
-                    map.shift[row] += x * inner.shift[k];
-                }
-            }
+    pub fn numbers(list: Vec<Number>) -> Self {
+        Self::list(list.into_iter().map(Self::Number).collect())
+    }
+
+    /// One map, or several.
+    pub fn maps(maps: Vec<Rc<Affine>>) -> Self {
+        match <[_; 1]>::try_from(maps) {
+            Ok([one]) => Self::Map(one),
+            Err(maps) => Self::Maps(Rc::new(maps)),
         }
-        map
+    }
+
+    /// What it is, for sentences.
+    pub const fn noun(&self) -> &'static str {
+        match self {
+            Self::Number(_) => "a number",
+            Self::List(_) => "a list",
+            Self::Map(_) => "a map",
+            Self::Maps(_) => "several maps",
+            Self::Images(_) => "a set",
+            Self::Block(_) => "a block",
+        }
     }
 }
