@@ -118,6 +118,56 @@ test("a system of space opens there, and what is none is refused with its line",
   expect((await studio.scene()).tool).toBe("space");
 });
 
+/** Two sets of golden triangles, by a root of x⁴ - x³ + x² - x + 1. */
+const TRIANGLES =
+  "@\n$n=Triangles\n$dim=4\n$subspace=[s,0]\ns=$companion([1,-1,1,-1])\n" +
+  "A=(s-s^4)^-1*([1,0,0,0]*A|B)\nB=(s-s^4)^-1*([0,1,0,0]*A|[0,0,1,1]*B)\n";
+const SOLID = "@\n$dim=3\n$root=Two\nA=2^-1*([1,0,0]|[0,1,0]|[0,0,1]|[0,0,0])*A\nTwo=A|[3,0,0]*A\n";
+const TEMPLATE = "@f\n$dim=2\nh=$vector()\nA=2^-1*(1|h)*A\n@:f\n$n=Line\nh=[1,0]\n";
+
+test("programs of IFStile open as what they are: several states, objects of space, or maps of the plane", async ({
+  studio,
+  page,
+}) => {
+  await studio.open(PLAIN);
+  await listening(page);
+  await arrive(page, "drop", "triangles.aifs", TRIANGLES);
+  await expect
+    .poll(async () => (await studio.said()).join())
+    .toContain("Triangles is now shape A, with 4 maps in 2 states.");
+  const { directed, tool, t } = await studio.scene();
+  expect([directed?.a.name, directed?.a.states.length, tool ?? "morph", t]).toEqual([
+    "Triangles",
+    2,
+    "morph",
+    0,
+  ]);
+  await studio.drawn();
+  // It is saved as such a program, and opens again.
+  await page.getByRole("button", { name: "More for A" }).click();
+  const download = page.waitForEvent("download");
+  await page.getByRole("menuitem", { name: "Save as AIFS" }).click();
+  const text = await readFile(await (await download).path(), "utf8");
+  await page.getByRole("button", { name: "Undo", exact: true }).first().click();
+  await expect.poll(async () => (await studio.scene()).directed).toBeUndefined();
+  await arrive(page, "paste", "again.aifs", text);
+  await expect.poll(async () => (await studio.scene()).directed?.a.states).toEqual(directed?.a.states);
+  await arrive(page, "drop", "line.aifs", TEMPLATE);
+  await expect
+    .poll(async () => (await studio.said()).join())
+    .toContain("1 block is a template of IFStile's finder");
+  await arrive(page, "drop", "solid.aifs", SOLID);
+  await expect
+    .poll(async () => (await studio.said()).join())
+    .toContain(
+      "solid replaces the scene, in 2 objects. Undo brings it back. It is made of 2 copies of systems",
+    );
+  await arrive(page, "drop", "endless.aifs", "@\nA=[$,1,1]*A\n");
+  await expect
+    .poll(async () => (await studio.said()).join())
+    .toContain("endless.aifs: Line 2: A list is longer than 4096.");
+});
+
 test("maps are exported, and what is saved opens again; a picture holds its document", async ({
   studio,
   page,

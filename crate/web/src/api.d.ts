@@ -1198,7 +1198,26 @@ export type ImportedSystem = {
   remarks: string[];
   /** Why it cannot be drawn; absent where it can. */
   problem?: string;
-} & ({ dimension: 2; maps: MapRow[] } | { dimension: 3; maps: MapRow3[] });
+} & (
+  | {
+      dimension: 2;
+      /** None where there are `states`. */
+      maps: MapRow[];
+      /** Of a graph-directed system: state 0 is the shape. */
+      states?: DirectedMap[][];
+      /** The view of the file: the largest disc around its middle that is seen; turned by so many degrees. */
+      camera?: { centre: [x: number, y: number]; radius: number; angle: number };
+    }
+  | {
+      dimension: 3;
+      /** None where there are `objects`. */
+      maps: MapRow3[];
+      /** Of a shape that is several systems side by side: the maps of each. */
+      objects?: MapRow3[][];
+      /** The view of the file; `field` is in degrees. */
+      camera?: { eye: Point3; target: Point3; up: Point3; field: number };
+    }
+);
 
 /** What was in a file. */
 export interface ImportedFile {
@@ -1211,11 +1230,15 @@ export interface ImportedFile {
   link?: string;
 }
 
-/** What `exportMaps` writes. JSON, Fractint, flame and CSV come back through `importFile` to the last bit. */
+/**
+ * What `exportMaps` writes. JSON, Fractint, flame and CSV come back through `importFile` to the last bit, AIFS but for
+ * the signs of zeros. AIFS alone takes `states`.
+ */
 export type ExportFormat =
   | "json"
   | "fractint"
   | "flame"
+  | "aifs"
   | "csv"
   | "svg"
   | "latex"

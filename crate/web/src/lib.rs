@@ -128,8 +128,7 @@ const SPACE_TYPES: &str = r#"import type {
 /// And what reads and writes files.
 #[cfg(all(feature = "exchange", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
-const EXCHANGE_TYPES: &str =
-    r#"import type { ExportFormat, ExportFormatInfo, ImportedFile, MapRow, MapRow3 } from "./frond.js";"#;
+const EXCHANGE_TYPES: &str = r#"import type { DirectedMap, ExportFormat, ExportFormatInfo, ImportedFile, MapRow, MapRow3 } from "./frond.js";"#;
 
 /// And graph-directed shapes.
 #[cfg(all(feature = "directed", not(feature = "compute")))]

@@ -26,7 +26,7 @@ import { Editor } from "./Editor";
 import { Way } from "./Found";
 import { DirectedMap } from "./map/Map";
 import * as messages from "./messages";
-import { save } from "./save";
+import { save, saveAifs } from "./save";
 import { DirectedThumb } from "./Thumb";
 import { sizeWords, stateWords } from "./words";
 
@@ -123,6 +123,7 @@ function Card({ end, editing, onEdit, choose }: CardProps) {
               notify({ kind: "info", text });
             },
           },
+          { label: messages.saveAsAifs, icon: "save", onSelect: () => void saveAifs(shape) },
           {
             label: messages.alsoAs(other),
             icon: "copy",

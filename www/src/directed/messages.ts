@@ -30,6 +30,7 @@ export const saveThisShape = "Save this shape";
 export const documentWithBothShapes =
   "The document with both shapes, their states and maps. Frond can open it again";
 export const saveAsJson = "Save as JSON";
+export const saveAsAifs = "Save as AIFS, for IFStile";
 export const editStates = (shape: string) => `Edit the states of ${shape}`;
 export const moreFor = (shape: string) => `More for shape ${shape}`;
 export const chooseAnother = "Choose another …";

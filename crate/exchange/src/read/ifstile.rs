@@ -7,9 +7,9 @@
 //! steps are counted. Scripts are never run, other files never fetched. The language is described on the site of
 //! IFStile.
 //!
-//! To be read in this order: `blocks` and `syntax`, what is written; `rational`, `number`, `affine` and `value`, what is
-//! computed with; `machine`, `evaluate`, `arrays` and `builtin`, how; `sets`, which names are sets; `fixed`, `roots`,
-//! `subspace` and `similar`, what is drawn of a space; `shape`, what comes out.
+//! To be read in this order: `blocks` and `syntax`, what is written; `rational`, `number`, `affine` and `value`, what
+//! is computed with; `machine`, `operators`, `arrays`, `builtin` and `evaluate`, how; `sets`, which names are sets;
+//! `fixed`, `roots`, `subspace` and `similar`, what is drawn of a space; `shape`, what comes out.
 
 mod affine;
 mod arrays;
@@ -19,6 +19,7 @@ mod evaluate;
 mod fixed;
 mod machine;
 mod number;
+mod operators;
 mod rational;
 mod roots;
 mod sets;
@@ -33,6 +34,7 @@ use crate::system::System;
 use crate::text::{name_or, short};
 use blocks::{Program, refused};
 use builtin::TEMPLATE;
+use evaluate::evaluate;
 use machine::{Frame, Machine};
 
 /// Steps of arithmetic for one block, and for all of a file.
@@ -89,7 +91,7 @@ fn shapes(program: &Program<'_>, k: usize, left: &mut usize) -> Result<Vec<Syste
     let (chain, circle) = program.chain(k);
     let line = program.blocks[k].line;
     let most = MAX_STEPS.min(*left);
-    let mut machine = Machine::new(program, Frame::new(chain, Vec::new(), 2), line, most);
+    let mut machine = Machine::new(program, Frame::new(chain, Vec::new(), 2), line, most, evaluate);
     let found = read_shapes(&mut machine, k, circle);
     *left -= (most - machine.steps).min(*left);
     found

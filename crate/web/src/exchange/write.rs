@@ -1,7 +1,7 @@
 //! Maps as text, and a link in a picture.
 
-use frond_core::{IfsError, MAX_MAPS};
-use frond_exchange::{ExportError, ExportFormat, System, export, png_with_link};
+use frond_core::{DirectedError, IfsError, MAX_MAPS, MAX_STATES};
+use frond_exchange::{DirectedCopy, ExportError, ExportFormat, Maps, System, export, png_with_link};
 use js_sys::{Array, Reflect};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
@@ -43,15 +43,29 @@ struct PlainSystem<Row> {
     colours: Vec<String>,
 }
 
-/// Maps of the plane or of space as a text. Throws where there are none, or the form is one of the plane alone.
+#[derive(Deserialize)]
+struct PlainStates {
+    #[serde(default)]
+    name: String,
+    states: Vec<Vec<DirectedCopy>>,
+}
+
+/// Maps of the plane or of space as a text; in AIFS also a graph-directed system, by its `states`. Throws where there
+/// are none, or the form is one of the plane alone.
 #[wasm_bindgen(js_name = exportMaps)]
 pub fn export_maps(
     #[wasm_bindgen(
-        unchecked_param_type = "{ name?: string; maps: MapRow[] | MapRow3[]; probabilities?: number[]; colours?: string[] }"
+        unchecked_param_type = "{ name?: string; maps: MapRow[] | MapRow3[]; probabilities?: number[]; colours?: string[] } | { name?: string; states: DirectedMap[][] }"
     )]
     system: JsValue,
     #[wasm_bindgen(unchecked_param_type = "ExportFormat")] format: &str,
 ) -> Result<String, JsValue> {
+    let format =
+        ExportFormat::by_id(format).ok_or_else(|| bad_input("format", "there is none of this name"))?;
+    let states = Reflect::get(&system, &"states".into()).unwrap_or(JsValue::UNDEFINED);
+    if states.is_object() {
+        return export(&read_states(system, &states)?, format).map_err(|error| of_export(&error));
+    }
     let maps = Reflect::get(&system, &"maps".into()).unwrap_or(JsValue::UNDEFINED);
     // Before any of them is read.
     if let Some(count) = longer_than(&maps, MAX_MAPS) {
@@ -66,9 +80,29 @@ pub fn export_maps(
         let colours = read_palette(&colours)?;
         System { probabilities, colours, ..System::plane(name, maps) }
     };
-    let format =
-        ExportFormat::by_id(format).ok_or_else(|| bad_input("format", "there is none of this name"))?;
     export(&system, format).map_err(|error| of_export(&error))
+}
+
+/// A graph-directed system. Longer lists than allowed are refused before they are read.
+fn read_states(system: JsValue, states: &JsValue) -> Result<System, JsValue> {
+    let refused = |error: &DirectedError| failure(error.code(), &error.to_string());
+    if let Some(count) = longer_than(states, MAX_STATES) {
+        return Err(refused(&DirectedError::TooManyStates { count, most: MAX_STATES }));
+    }
+    for (state, maps) in Array::from(states).iter().enumerate() {
+        if let Some(count) = longer_than(&maps, MAX_MAPS) {
+            return Err(refused(&DirectedError::TooManyMaps { state, count }));
+        }
+    }
+    let PlainStates { name, states } = read("The system", system)?;
+    let count = states.len();
+    for (state, maps) in states.iter().enumerate() {
+        if let Some(map) = maps.iter().position(|copy| copy.from >= count) {
+            let from = maps[map].from;
+            return Err(refused(&DirectedError::From { state, map, from, states: count }));
+        }
+    }
+    Ok(System::of(name, Maps::Directed(states)))
 }
 
 fn of_export(error: &ExportError) -> JsValue {

@@ -11,7 +11,7 @@ export interface Subject {
   page: string;
   /** The link as it came; null where it was none. */
   link: string | null;
-  /** What a file of maps holds, to the last bit; absent of a link, and of maps of space. */
+  /** What a file of maps holds, to the last bit; absent of a link, of maps of space, and of several states. */
   maps?: NamedMaps;
 }
 
@@ -47,10 +47,16 @@ export async function subjectOf(word: string, system: System): Promise<Subject> 
   const { a: _a, b: _b, ...usual } = defaultScene();
   if (first.dimension === 3) {
     const { defaultSpace, packSpace } = await system.space();
-    const maps: MapRow3[] = first.maps;
-    const packed = packSpace({ ...defaultSpace(), objects: [{ name, maps }] });
+    const all: MapRow3[][] = first.objects ?? [first.maps];
+    const objects = all.map((maps, k) => ({ name: all.length > 1 ? `${name} ${k + 1}` : name, maps }));
+    const packed = packSpace({ ...defaultSpace(), objects });
     const scene: Scene = { ...defaultScene(), tool: "space", space: { packed, at: 0 } };
     return { scene, page: "", link: null };
+  }
+  if (first.states) {
+    const shape = { name, states: first.states };
+    const scene = defaultScene();
+    return { scene: { ...scene, t: 0, directed: { a: shape, b: shape } }, page: "", link: null };
   }
   const maps: Ifs["maps"] = first.maps;
   const shape = { name, maps, ...(probabilities ? { weights: probabilities } : {}) };

@@ -1,6 +1,8 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { thumbnails } from "#compute/results";
 import { thumbnailsOf } from "#compute/thumbnails";
+import { directedPicture } from "#stage/directed/thumb";
+import { stageStyle } from "#stage/picture-style";
 import { Segmented } from "#ui/controls/Segmented";
 import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
@@ -15,6 +17,8 @@ import css from "./picker.module.css";
 const MOST_SHOWN = 60;
 /** From so many on, a field looks for names. */
 const MANY = 13;
+/** Of pictures of graph-directed shapes. */
+const SIZE = { width: 160, height: 120 };
 
 type Item = ImportedSystem & { id: string; about: string };
 
@@ -24,6 +28,7 @@ export function Picker() {
   const [where, setWhere] = useState<Where>("a");
   const [sought, setSought] = useState("");
   const [solids, setSolids] = useState<ReadonlyMap<string, ImageBitmap>>(new Map());
+  const [graphs, setGraphs] = useState<ReadonlyMap<string, ImageBitmap>>(new Map());
   const items: Item[] = useMemo(() => {
     turn++;
     return systems.map((system, i) => ({
@@ -37,9 +42,27 @@ export function Picker() {
   const found = useMemo(() => named(items, sought), [items, sought]);
   const shown = useMemo(() => found.slice(0, MOST_SHOWN), [found]);
   useEffect(
-    () => thumbnailsOf(shown.flatMap((one) => (one.dimension === 2 ? [{ id: one.id, maps: one.maps }] : []))),
+    () =>
+      thumbnailsOf(
+        shown.flatMap((one) => (one.dimension === 2 && !one.states ? [{ id: one.id, maps: one.maps }] : [])),
+      ),
     [shown],
   );
+  const { colouring, palette } = stageStyle.value;
+  useEffect(() => {
+    const ended = new AbortController();
+    for (const one of shown) {
+      if (one.dimension === 3 || !one.states || one.problem !== undefined) continue;
+      directedPicture({ states: one.states }, SIZE, { colouring, palette }, ended.signal).then(
+        (made) => {
+          if (made && !ended.signal.aborted) setGraphs((before) => new Map(before).set(one.id, made));
+        },
+        // Without a picture it can still be chosen.
+        () => {},
+      );
+    }
+    return () => ended.abort();
+  }, [shown, colouring, palette]);
   useEffect(() => solidPictures(shown, setSolids), [shown]);
   const close = () => {
     choice.value = null;
@@ -85,8 +108,12 @@ export function Picker() {
       <ShapeGrid
         key={sought}
         presets={shown}
-        pictures={solids.size > 0 ? new Map([...thumbnails.value, ...solids]) : thumbnails.value}
-        noteOf={(item) => (item.dimension === 3 ? messages.inSpace(mapsNote(item)) : mapsNote(item))}
+        pictures={
+          solids.size + graphs.size > 0
+            ? new Map([...thumbnails.value, ...solids, ...graphs])
+            : thumbnails.value
+        }
+        noteOf={noteOf}
         chosen={undefined}
         onChoose={(item) => {
           close();
@@ -95,6 +122,12 @@ export function Picker() {
       />
     </Dialog>
   );
+}
+
+/** Of what it is made. */
+function noteOf(item: Item): string {
+  if (item.dimension === 2) return item.states ? messages.statesNote(item.states.length) : mapsNote(item);
+  return messages.inSpace(item.objects ? messages.objectsNote(item.objects.length) : mapsNote(item));
 }
 
 /** How many files were looked at. */
@@ -106,7 +139,9 @@ function solidPictures(
   give: (pictures: ReadonlyMap<string, ImageBitmap>) => void,
 ): () => void {
   const subjects = shown.flatMap(({ id, name, problem, ...system }) =>
-    system.dimension === 3 && problem === undefined ? [{ id, objects: [{ name, maps: system.maps }] }] : [],
+    system.dimension === 3 && problem === undefined
+      ? [{ id, objects: (system.objects ?? [system.maps]).map((maps) => ({ name, maps })) }]
+      : [],
   );
   let stops: (() => void)[] = [];
   let gone = false;

@@ -13,8 +13,9 @@ import type { ImportedFile, ImportedSystem, Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { loadExchange } from "#wasm/exchange";
 import { whenOpen } from "../tools";
+import { cameraWords, planeView, solidView } from "./camera";
 import * as messages from "./messages";
-import { intoMorph, type Where } from "./morph";
+import { intoMorph, intoStates, type Where } from "./morph";
 import { pasted } from "./pasted";
 import { mayHoldLink, tellFile, wordsForOther } from "./tell";
 import { headOf } from "./tell-head";
@@ -184,16 +185,27 @@ export async function take(
   const coloured = system.dimension === 2 && system.colours && where !== "b" ? [messages.coloursKept] : [];
   try {
     if (system.problem) throw new Error(system.problem);
-    const said = [...system.remarks, ...remarks, ...weightsWords(system), ...coloured].join(" ");
+    const said = [
+      ...system.remarks,
+      ...remarks,
+      ...weightsWords(system),
+      ...coloured,
+      ...cameraWords(system),
+    ].join(" ");
     if (system.dimension === 3) {
       const [from, step] = [tool.peek(), lastStep()];
       await whenOpen("space");
-      const { takeFound } = await import("#tools/space/shape/object/files");
-      takeFound({ name, maps: system.maps }, said);
+      const { takeAll, takeFound } = await import("#tools/space/shape/object/files");
+      const view = system.camera ? solidView(system.camera) : null;
+      if (system.objects) takeAll(name, system.objects, said, view);
+      else takeFound({ name, maps: system.maps }, said, view);
       cameFrom(from, step);
     } else {
-      const { maps, colours } = system;
-      await intoMorph({ name, maps, weights: weightsOf(system), colours }, where, said);
+      const { maps, states, colours } = system;
+      if (states) intoStates({ name, states }, where, said);
+      else await intoMorph({ name, maps, weights: weightsOf(system), colours }, where, said);
+      const seen = system.camera ? planeView(system.camera) : null;
+      if (seen) await lookAt(seen);
     }
   } catch (problem) {
     notify({
@@ -201,4 +213,12 @@ export async function take(
       text: messages.cannotOpen(name, wordsOf(problem)),
     });
   }
+}
+
+/** Looks at a part of the plane. To look is nothing to undo. */
+async function lookAt({ x, y, radius }: { x: number; y: number; radius: number }): Promise<void> {
+  const { stageSize, view } = await import("#stage/view");
+  const { width, height } = stageSize.peek();
+  const across = Math.min(width, height);
+  if (across > 0) view.value = { x, y, scale: across / (2 * radius) };
 }

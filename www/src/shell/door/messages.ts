@@ -15,6 +15,8 @@ export const showingSearchByName = (count: number, of: number) =>
   `Showing ${count} of ${of}. Search by name to find the others.`;
 export const foundCount = (count: number) => `${count} found`;
 export const noSystemHasName = "No system has a name like that.";
+export const statesNote = (count: number) => counted(count, "state", "states");
+export const objectsNote = (count: number) => counted(count, "object", "objects");
 export const inSpace = (note: string) => `space, ${note}`;
 
 export const seemsToCutOff = (cutAfter: string) =>
@@ -33,6 +35,7 @@ export const fileEmptyChooseAnother = "The file is empty. Choose another.";
 export const openedDocumentFrom = (name: string) => `Opened the document from ${name}.`;
 export const undoable = (said: string) => `${said} Undo brings back your previous work.`;
 export const maps = "Maps";
+export const viewNotKept = "Its view is not kept, because it is turned: the whole shape is in view instead.";
 export const coloursKept = "Its colours are kept.";
 export const cannotOpen = (name: string, problem: string) =>
   `${name} cannot be opened: ${problem} Your work is unchanged.`;
@@ -40,6 +43,8 @@ export const cannotOpen = (name: string, problem: string) =>
 export const nowShape = "is now shape A";
 export const nowShapeB = "is now shape B";
 export const nowBothShapes = "is now both shapes";
+export const mapAndStateCount = (maps: number, states: number) =>
+  `${counted(maps, "map", "maps")} in ${counted(states, "state", "states")}`;
 export const mapCount = (count: number) => counted(count, "map", "maps");
 export const taken = (name: string, place: string, maps: string, said: string) =>
   `${name} ${place}, with ${maps}. ${said}`;

@@ -2,7 +2,7 @@ import { beforeEach, expect, test, vi } from "vitest";
 import { notices } from "#document/notice";
 import { edit, redo, scene, start, undo } from "#document/scene";
 import type { MapRow, Scene } from "#wasm/api";
-import { intoMorph, withSystem } from "./morph";
+import { intoMorph, intoStates, withStates, withSystem } from "./morph";
 
 vi.mock("#wasm/core", () => ({ frond: {} }));
 
@@ -72,4 +72,35 @@ test("as B instead keeps what was done since", async () => {
   expect([...ends(), scene.peek().compare]).toEqual(["fern", "Mine", true]);
   undo();
   expect([...ends(), scene.peek().compare]).toEqual(["Mine", "tree", true]);
+});
+
+const graph = {
+  name: "Graph",
+  states: [
+    [{ from: 1, map: HALF }],
+    [
+      { from: 0, map: HALF },
+      { from: 1, map: HALF },
+    ],
+  ],
+};
+
+test.each([
+  ["a", 0, "Graph", "tree"],
+  ["b", 1, "fern", "Graph"],
+  ["both", 0, "Graph", "Graph"],
+] as const)("a graph-directed shape of a file is seen where it was put: %s", (where, t, a, b) => {
+  const after = withStates(before, graph, where);
+  expect([after.directed?.a.name, after.directed?.b.name]).toEqual([a, b]);
+  expect([after.t, after.tool]).toEqual([t, "morph"]);
+  expect((where === "b" ? after.directed?.b : after.directed?.a)?.states).toEqual(graph.states);
+});
+
+test("a graph-directed shape as B instead is one step, and its states and maps are counted", () => {
+  intoStates(graph, "a", "Said.");
+  expect(notices.peek().at(-1)?.text).toBe("Graph is now shape A, with 3 maps in 2 states. Said.");
+  asB();
+  expect([scene.peek().directed?.a.name, scene.peek().directed?.b.name]).toEqual(["fern", "Graph"]);
+  undo();
+  expect(scene.peek()).toEqual(before);
 });

@@ -1,11 +1,12 @@
 /** A system of a file becomes a shape of the morph. */
 import { editSystems } from "#document/curve/systems";
+import { directedAtBoth, withDirected } from "#document/directed/changes";
 import { selection } from "#document/morph";
 import { dismiss, notify } from "#document/notice";
-import { lastStep, scene, undo } from "#document/scene";
+import { edit, lastStep, scene, undo } from "#document/scene";
 import { withWeights } from "#geometry/maps/weighted";
 import { choose, type End } from "#tools/morph/edits";
-import type { MapRow, Scene } from "#wasm/api";
+import type { DirectedShape, MapRow, Scene } from "#wasm/api";
 import * as messages from "./messages";
 
 /** Which end of the morph a system becomes. */
@@ -39,6 +40,14 @@ export function withSystem(before: Scene, system: Own, where: Where): Scene {
   };
 }
 
+/** The document with a graph-directed shape at one end or both, and the moment where it is seen. */
+export function withStates(before: Scene, shape: DirectedShape, where: Where): Scene {
+  const end = where === "b" ? "b" : "a";
+  const one = withDirected(before, end, shape);
+  const { tool: _tool, view: _view, ...taken } = where === "both" ? directedAtBoth(one, end) : one;
+  return { ...taken, tool: "morph", t: where === "b" ? 1 : 0 };
+}
+
 const WORDS: Record<Where, string> = {
   a: messages.nowShape,
   b: messages.nowShapeB,
@@ -60,10 +69,27 @@ export async function intoMorph(system: Own, where: Where, said: string): Promis
     if (lastStep() === step) undo();
     void editSystems((now) => withSystem(now.a === taken ? { ...now, a: replaced } : now, system, "b"));
   };
+  tell(system.name, where, messages.mapCount(system.maps.length), said, instead);
+}
+
+/** The same of a graph-directed shape. */
+export function intoStates(shape: DirectedShape, where: Where, said: string): void {
+  edit((before) => withStates(before, shape, where));
+  selection.value = null;
+  const step = lastStep();
+  const instead = () => {
+    // Where something else was done since, both ends have it.
+    if (lastStep() === step) undo();
+    edit((now) => withStates(now, shape, "b"));
+  };
+  const maps = shape.states.reduce((sum, state) => sum + state.length, 0);
+  tell(shape.name, where, messages.mapAndStateCount(maps, shape.states.length), said, instead);
+}
+
+function tell(name: string, where: Where, count: string, said: string, instead: () => void): void {
   // The same words again would keep the old way back.
   if (told !== null) dismiss(told);
-  const count = messages.mapCount(system.maps.length);
-  const text = messages.taken(system.name, WORDS[where], count, said).trim();
+  const text = messages.taken(name, WORDS[where], count, said).trim();
   told = notify({
     kind: "info",
     text,

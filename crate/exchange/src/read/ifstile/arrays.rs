@@ -14,7 +14,7 @@ const MAX_LIST: usize = 4096;
 const ELEMENT_STEPS: usize = 8;
 
 /// What is done to a list.
-enum Look<'a> {
+pub enum Look<'a> {
     Size,
     Flat,
     At(Value<'a>),
@@ -36,7 +36,7 @@ impl<'p, 'a> Machine<'p, 'a> {
         while let Some(element) = elements.get(at) {
             if !matches!(element, Expression::Own) {
                 let value = self.value(element)?;
-                self.push(value)?;
+                self.append(value)?;
                 at += 1;
                 continue;
             }
@@ -49,14 +49,14 @@ impl<'p, 'a> Machine<'p, 'a> {
                     break;
                 }
                 let value = self.value(body)?;
-                self.push(value)?;
+                self.append(value)?;
             }
             at += 3;
         }
         Ok(())
     }
 
-    fn push(&mut self, value: Value<'a>) -> Result<(), ImportError> {
+    fn append(&mut self, value: Value<'a>) -> Result<(), ImportError> {
         self.charge(ELEMENT_STEPS)?;
         match self.lists.last_mut() {
             Some(list) if list.len() < MAX_LIST => list.push(value),
@@ -85,62 +85,8 @@ impl<'p, 'a> Machine<'p, 'a> {
         }
     }
 
-    pub fn suffixed(&mut self, of: &'p Expression<'a>, suffixes: &'p [Suffix<'a>]) -> Found<'a> {
-        let (mut value, rest) = match (of, suffixes) {
-            (Expression::Own, [Suffix::Call(arguments), rest @ ..]) if !arguments.is_empty() => {
-                let [level] = arguments.as_slice() else {
-                    return self.fail("“$” takes one number: $(1) is the list around this one.");
-                };
-                let level = self.value(level)?;
-                let level = self.number(level)?.as_whole().and_then(|level| usize::try_from(level).ok());
-                let Some(level) = level.filter(|&level| level < self.lists.len()) else {
-                    return self.fail("There are not so many lists around “$”.");
-                };
-                self.own(level, rest)?
-            }
-            (Expression::Own, _) => self.own(0, suffixes)?,
-            (Expression::Name(name), [Suffix::Call(arguments), rest @ ..]) => {
-                (self.call(name, arguments)?, rest)
-            }
-            (Expression::List(elements), [Suffix::Call(arguments), rest @ ..])
-                if arguments.len() == 1 && !elements.iter().any(|one| matches!(one, Expression::Own)) =>
-            {
-                // Of what is only asked for one element, the others are not computed.
-                let index = self.value(&arguments[0])?;
-                let at = self.place(&index, elements.len())?;
-                self.lists.push(Vec::new());
-                let value = self.value(&elements[at])?;
-                self.lists.pop();
-                (value, rest)
-            }
-            _ => (self.value(of)?, suffixes),
-        };
-        for suffix in rest {
-            value = match suffix {
-                Suffix::Field(name) => match &value {
-                    Value::Block(instance) => self.field(&instance.clone(), name)?,
-                    other => return self.fail(format!("{name} is asked for of {}, no block.", other.noun())),
-                },
-                Suffix::Call(arguments) if matches!(value, Value::Block(_)) => {
-                    let arguments = self.arguments(arguments)?;
-                    match &value {
-                        Value::Block(instance) => self.called(instance.block, arguments)?,
-                        _ => value,
-                    }
-                }
-                suffix => {
-                    let look = self.look(suffix)?;
-                    let list = self.elements(value)?;
-                    self.charge(1 + list.len() / 16)?;
-                    self.seen(&list, look)?
-                }
-            };
-        }
-        Ok(value)
-    }
-
     /// A list that is being made, looked at.
-    fn own(
+    pub fn own(
         &mut self,
         level: usize,
         suffixes: &'p [Suffix<'a>],
@@ -167,7 +113,7 @@ impl<'p, 'a> Machine<'p, 'a> {
         list.iter().map(|one| self.value(one)).collect()
     }
 
-    fn look(&mut self, suffix: &'p Suffix<'a>) -> Result<Look<'a>, ImportError> {
+    pub fn look(&mut self, suffix: &'p Suffix<'a>) -> Result<Look<'a>, ImportError> {
         match suffix {
             Suffix::Call(arguments) if arguments.is_empty() => Ok(Look::Size),
             Suffix::Call(arguments) if arguments.len() == 1 => Ok(Look::At(self.value(&arguments[0])?)),
@@ -191,7 +137,7 @@ impl<'p, 'a> Machine<'p, 'a> {
         }
     }
 
-    fn elements(&mut self, value: Value<'a>) -> Result<Rc<Vec<Value<'a>>>, ImportError> {
+    pub fn elements(&mut self, value: Value<'a>) -> Result<Rc<Vec<Value<'a>>>, ImportError> {
         match self.plain(value)? {
             Value::List(list) => Ok(list),
             Value::Map(map) if map.shift.iter().all(Number::is_zero) => {
@@ -202,7 +148,7 @@ impl<'p, 'a> Machine<'p, 'a> {
     }
 
     /// The place that an index stands for; from the end where it is negative.
-    fn place(&mut self, index: &Value<'a>, count: usize) -> Result<usize, ImportError> {
+    pub fn place(&mut self, index: &Value<'a>, count: usize) -> Result<usize, ImportError> {
         let index = self.number(index.clone())?;
         let found = index.as_whole().and_then(|index| {
             let count = i64::try_from(count).ok()?;
@@ -217,7 +163,7 @@ impl<'p, 'a> Machine<'p, 'a> {
         }
     }
 
-    fn seen(&mut self, list: &[Value<'a>], look: Look<'a>) -> Found<'a> {
+    pub fn seen(&mut self, list: &[Value<'a>], look: Look<'a>) -> Found<'a> {
         match look {
             Look::Size => Ok(Value::Number(Number::whole(i64::try_from(list.len()).unwrap_or(i64::MAX)))),
             Look::Flat => {

@@ -155,7 +155,7 @@ impl<'p, 'a> Machine<'p, 'a> {
             ("$exchange", []) => Ok(Value::Map(Rc::new(Affine::exchange(self.size())))),
             ("$charpoly", [map]) => {
                 let map = self.value(map)?;
-                let map = self.map(map)?;
+                let map = self.single(map)?;
                 self.charge(map.size.pow(4) / 4 * map.words())?;
                 self.told(map.characteristic()).map(Value::numbers)
             }

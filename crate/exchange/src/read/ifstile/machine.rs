@@ -50,11 +50,26 @@ pub struct Machine<'p, 'a> {
     /// The steps that are left.
     pub steps: usize,
     depth: usize,
+    /// What an expression comes to: names stand for expressions, which have names in them.
+    evaluate: Evaluate<'p, 'a>,
 }
 
+pub type Evaluate<'p, 'a> = fn(&mut Machine<'p, 'a>, &'p Expression<'a>) -> Found<'a>;
+
 impl<'p, 'a> Machine<'p, 'a> {
-    pub fn new(program: &'p Program<'a>, frame: Frame<'a>, line: usize, steps: usize) -> Self {
-        Self { program, frames: vec![frame], lists: Vec::new(), line, steps, depth: 0 }
+    pub fn new(
+        program: &'p Program<'a>,
+        frame: Frame<'a>,
+        line: usize,
+        steps: usize,
+        evaluate: Evaluate<'p, 'a>,
+    ) -> Self {
+        Self { program, frames: vec![frame], lists: Vec::new(), line, steps, depth: 0, evaluate }
+    }
+
+    pub fn value(&mut self, expression: &'p Expression<'a>) -> Found<'a> {
+        self.charge(1)?;
+        (self.evaluate)(self, expression)
     }
 
     pub fn frame(&self) -> &Frame<'a> {

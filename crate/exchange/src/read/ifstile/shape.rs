@@ -87,7 +87,7 @@ impl<'a> Machine<'_, 'a> {
         let [matrix, cells @ ..] = parts.as_slice() else {
             return self.fail("$subspace is a matrix and its cells: $subspace=[M,0].");
         };
-        let matrix = self.map(matrix.clone())?;
+        let matrix = self.single(matrix.clone())?;
         let mut chosen = Vec::new();
         for cell in cells {
             match self.number(cell.clone())?.as_whole() {

@@ -77,6 +77,9 @@ export const isRemoved = (name: string) => `${name} is removed.`;
 export const addedWithMaps = (name: string, count: number) => `${name} is added, with ${count} maps.`;
 export const replacedWithMaps = (name: string, count: number) =>
   `${name} replaces the scene, with ${count} maps. Undo brings it back.`;
+export const partOf = (name: string, number: number) => `${name} ${number}`;
+export const aloneInObjects = (name: string, count: number) =>
+  `${name} replaces the scene, in ${counted(count, "object", "objects")}. Undo brings it back.`;
 export const objectNotSaved = (name: string, problem: string) => `${name} could not be saved: ${problem}`;
 
 export const isAdded = (name: string) => `${name} is added.`;
