@@ -47,6 +47,39 @@ describe("files of other programs", () => {
     expect(exchange.exportFormats().map(({ id }) => id)).toContain("python");
   });
 
+  it("are programs of IFStile, of several states, of objects and with views", () => {
+    const half = [0.5, 0, 0, 0.5];
+    const pair = "@\n$n=Pair\nA=2^-1*(A|[1,0]*B)\nB=2^-1*A\n";
+    const [found] = exchange.importFile(bytes(pair)).systems;
+    const states = [
+      [
+        { from: 0, map: [...half, 0, 0] },
+        { from: 1, map: [...half, 0.5, 0] },
+      ],
+      [{ from: 0, map: [...half, 0, 0] }],
+    ];
+    expect(found).toMatchObject({ name: "Pair", dimension: 2, maps: [], states });
+    const text = exchange.exportMaps({ name: "Pair", states: wrong(states) }, "aifs");
+    expect(exchange.importFile(bytes(text)).systems[0]).toMatchObject({ name: "Pair", states });
+    expect(refused(() => exchange.exportMaps({ states: wrong(states) }, "csv"))).toBe("export-one-state");
+    expect(refused(() => exchange.exportMaps({ states: [] }, "aifs"))).toBe("export-nothing");
+    expect(
+      refused(() => exchange.exportMaps({ states: wrong([[{ from: 3, map: [...half, 0, 0] }]]) }, "aifs")),
+    ).toBe("state");
+    const two =
+      "@\n$dim=3\n$root=C\nA=2^-1*([1,0,0]|[0,0,0])*A\nC=A|[9,0,0]*A\n$camera=[[0,0,-3],[0,0,0],[0,1,0],30]";
+    expect(exchange.importFile(bytes(two)).systems[0]).toMatchObject({
+      dimension: 3,
+      objects: [{ length: 2 }, { length: 2 }],
+      camera: { eye: [0, 0, -3], target: [0, 0, 0], up: [0, 1, 0], field: 30 },
+    });
+    expect(refused(() => exchange.importFile(bytes("@\n$dim=1000\nA=2^-1*A")))).toBe("aifs-unread");
+    // Calls within calls end before the stack does.
+    expect(refused(() => exchange.importFile(bytes("@f\n$a=h\nx=1\nr=f((((x))))\n@\nA=f(1)*A")))).toBe(
+      "aifs-unread",
+    );
+  });
+
   it("hold a document in a picture", () => {
     const made = exchange.pngWithLink(DOT, "https://example.org/#v=1&a=fern");
     expect(exchange.importFile(made)).toMatchObject({ format: "png", systems: [], link: "v=1&a=fern" });

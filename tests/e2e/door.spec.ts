@@ -118,9 +118,9 @@ test("a system of space opens there, and what is none is refused with its line",
   expect((await studio.scene()).tool).toBe("space");
 });
 
-/** Two sets of golden triangles, by a root of x⁴ - x³ + x² - x + 1. */
-const TRIANGLES =
-  "@\n$n=Triangles\n$dim=4\n$subspace=[s,0]\ns=$companion([1,-1,1,-1])\n" +
+/** Two sets, in a root of x⁴ - x³ + x² - x + 1. */
+const PAIR =
+  "@\n$n=Pair\n$dim=4\n$subspace=[s,0]\ns=$companion([1,-1,1,-1])\n" +
   "A=(s-s^4)^-1*([1,0,0,0]*A|B)\nB=(s-s^4)^-1*([0,1,0,0]*A|[0,0,1,1]*B)\n";
 const SOLID = "@\n$dim=3\n$root=Two\nA=2^-1*([1,0,0]|[0,1,0]|[0,0,1]|[0,0,0])*A\nTwo=A|[3,0,0]*A\n";
 const TEMPLATE = "@f\n$dim=2\nh=$vector()\nA=2^-1*(1|h)*A\n@:f\n$n=Line\nh=[1,0]\n";
@@ -131,20 +131,20 @@ test("programs of IFStile open as what they are: several states, objects of spac
 }) => {
   await studio.open(PLAIN);
   await listening(page);
-  await arrive(page, "drop", "triangles.aifs", TRIANGLES);
+  await arrive(page, "drop", "pair.aifs", PAIR);
   await expect
     .poll(async () => (await studio.said()).join())
-    .toContain("Triangles is now shape A, with 4 maps in 2 states.");
+    .toContain("Pair is now shape A, with 4 maps in 2 states.");
   const { directed, tool, t } = await studio.scene();
   expect([directed?.a.name, directed?.a.states.length, tool ?? "morph", t]).toEqual([
-    "Triangles",
+    "Pair",
     2,
     "morph",
     0,
   ]);
   await studio.drawn();
   // It is saved as such a program, and opens again.
-  await page.getByRole("button", { name: "More for A" }).click();
+  await page.getByRole("button", { name: "More for shape A" }).click();
   const download = page.waitForEvent("download");
   await page.getByRole("menuitem", { name: "Save as AIFS" }).click();
   const text = await readFile(await (await download).path(), "utf8");
