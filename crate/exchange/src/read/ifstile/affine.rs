@@ -67,8 +67,7 @@ impl Affine {
 
     /// How many numbers of it are long, in words: products of long ones take longer.
     pub fn words(&self) -> usize {
-        let words = |x: &Number| x.exact().map_or(1, |x| usize::try_from(x.bits() / 64).unwrap_or(1));
-        self.matrix.iter().chain(&self.shift).map(words).max().unwrap_or(1)
+        self.matrix.iter().chain(&self.shift).map(Number::words).max().unwrap_or(1)
     }
 
     /// First `inner`, then this.

@@ -156,8 +156,12 @@ impl<'p, 'a> Machine<'p, 'a> {
             ("$charpoly", [map]) => {
                 let map = self.value(map)?;
                 let map = self.single(map)?;
-                self.charge(map.size.pow(4) / 4 * map.words())?;
-                self.told(map.characteristic()).map(Value::numbers)
+                let products = map.size.pow(4);
+                self.charge(Number::steps(products, 2 * map.words()))?;
+                let lower = self.told(map.characteristic())?;
+                let longest = lower.iter().map(Number::words).max().unwrap_or(1);
+                self.charge(Number::steps(products, longest))?;
+                Ok(Value::numbers(lower))
             }
             ("$numden", [x]) => {
                 let x = self.value(x)?;

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use super::rational::Rational;
 
 /// Longer numbers are refused: their size would double with each product.
-const MOST_BITS: u64 = 4096;
+const MOST_BITS: u64 = 1536;
 pub const TOO_LARGE: &str = "A number becomes too large.";
 const OVER_ZERO: &str = "A number is divided by 0.";
 const NO_NUMBER: &str = "What is computed there is no real number.";
@@ -82,6 +82,20 @@ impl Number {
 
     pub fn as_whole(&self) -> Option<i64> {
         self.exact().and_then(Rational::as_whole)
+    }
+
+    /// How long it is, in words of 64 binary digits.
+    pub fn words(&self) -> usize {
+        match self {
+            Self::Exact(x) | Self::Turn(x) => usize::try_from(x.bits().div_ceil(64)).unwrap_or(usize::MAX),
+            Self::Real(_) => 1,
+        }
+    }
+
+    /// How many steps so many products of numbers of so many words together take: long fractions are reduced, which
+    /// takes the square of their length.
+    pub const fn steps(products: usize, words: usize) -> usize {
+        if words <= 2 { 1 + products / 8 } else { 1 + products.saturating_mul(words * words / 8 + 1) }
     }
 
     pub fn is_zero(&self) -> bool {

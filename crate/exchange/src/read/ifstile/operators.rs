@@ -45,7 +45,10 @@ impl<'p, 'a> Machine<'p, 'a> {
         self.charge(1)?;
         let (one, other) = (self.plain(one)?, self.plain(other)?);
         match (one, other) {
-            (Value::Number(x), Value::Number(y)) => self.told(x.plus(&y)).map(Value::Number),
+            (Value::Number(x), Value::Number(y)) => {
+                self.charge(Number::steps(1, x.words() + y.words()))?;
+                self.told(x.plus(&y)).map(Value::Number)
+            }
             (Value::List(x), Value::List(y)) if x.len() == y.len() => {
                 self.charge(x.len())?;
                 let pairs = x.iter().cloned().zip(y.iter().cloned());
@@ -54,7 +57,7 @@ impl<'p, 'a> Machine<'p, 'a> {
             }
             (one, other) => {
                 let (one, other) = (self.single(one)?, self.single(other)?);
-                self.charge(one.size * one.size)?;
+                self.charge(Number::steps(one.size * one.size, one.words() + other.words()))?;
                 self.told(one.plus(&other)).map(|sum| Value::Map(Rc::new(sum)))
             }
         }
@@ -77,6 +80,7 @@ impl<'p, 'a> Machine<'p, 'a> {
         self.charge(1)?;
         let (one, other) = (self.plain(one)?, self.plain(other)?);
         if let (Value::Number(x), Value::Number(y)) = (&one, &other) {
+            self.charge(Number::steps(1, x.words() + y.words()))?;
             let outcome = match joint {
                 Joint::Times => x.times(y),
                 Joint::Over => x.over(y),
@@ -167,7 +171,7 @@ impl<'p, 'a> Machine<'p, 'a> {
             return self.fail(format!("A map of {one} dimensions meets one of {other}. Give both the same."));
         }
         let dense = outer.matrix.iter().filter(|x| !x.is_zero()).count();
-        self.charge(1 + dense * outer.size / 8 * (outer.words() + inner.words()))?;
+        self.charge(Number::steps(dense * outer.size, outer.words() + inner.words()))?;
         if outer.is_identity() {
             return Ok(inner.clone());
         }
@@ -183,8 +187,11 @@ impl<'p, 'a> Machine<'p, 'a> {
     }
 
     pub fn inverse(&mut self, map: &Affine) -> Result<Rc<Affine>, ImportError> {
-        self.charge(1 + map.size.pow(3) / 2 * map.words())?;
+        let products = 2 * map.size.pow(3);
+        self.charge(Number::steps(products, 2 * map.words()))?;
         let inverse = self.told(map.inverse())?;
+        // What is computed on the way is about as long as what comes out.
+        self.charge(Number::steps(products, 2 * inverse.words()))?;
         self.finite(inverse)
     }
 
@@ -195,7 +202,11 @@ impl<'p, 'a> Machine<'p, 'a> {
         };
         let base = self.plain(base)?;
         match &base {
-            Value::Number(x) => return self.told(x.power(&exponent)).map(Value::Number),
+            Value::Number(x) => {
+                let power = self.told(x.power(&exponent))?;
+                self.charge(Number::steps(4, 2 * power.words()))?;
+                return Ok(Value::Number(power));
+            }
             Value::Images(_) => return self.fail("A set has no power. Maps have: f^2*A."),
             _ => {}
         }

@@ -34,7 +34,7 @@ impl<'a> Machine<'_, 'a> {
             self.line = graph.lines[k];
             let mut all = Vec::new();
             for (j, image) in images.iter().enumerate() {
-                self.charge(size.pow(2))?;
+                self.charge(size.pow(2) * image.map.words())?;
                 let Some(map) = self.drawn(&image.map, projection.as_ref())? else {
                     let name = short(graph.names[k], 20);
                     return self.fail(format!(
@@ -98,7 +98,7 @@ impl<'a> Machine<'_, 'a> {
         if chosen.is_empty() {
             return self.fail("$subspace names no cells of its matrix. Name one: $subspace=[M,0].");
         }
-        self.charge(100 * matrix.size.pow(3) * matrix.words())?;
+        self.charge(Number::steps(800 * matrix.size.pow(3), 2 * matrix.words()))?;
         Projection::new(&matrix, &chosen).map(Some).or_else(|why| self.fail(why))
     }
 
