@@ -118,6 +118,7 @@ fn blocks_are_functions() {
         "turn(90,1/2)",
         "turn(450,0.5)",
         "$new(turn,k,.5)",
+        "$new(turn,1,.5)",
         "turn()*.5",
         "half()",
         "half(-270)",
@@ -142,6 +143,9 @@ fn numbers_are_what_mathematics_says() {
         ("-2^2", -4.0),
         ("2^-1", 0.5),
         ("2^3^2", 512.0),
+        ("2^-1^2", 0.5),
+        ("2^-2^-1", 0.5_f64.sqrt()),
+        ("2^0.5--2^0.5", 8.0_f64.sqrt()),
         ("7%3", 1.0),
         ("-7%3", 2.0),
         ("7%-3", -2.0),
@@ -192,6 +196,15 @@ fn lists_are_made_and_looked_at() {
         ("[1,2]+[10,20]", &[11.0, 22.0]),
         ("-[1,2]", &[-1.0, -2.0]),
         ("3*[1,2,3]", &[3.0, 6.0, 9.0]),
+        ("[1,2]^(3/2)", &[1.5, 3.0]),
+        ("[1,2,3]^-2", &[-2.0, -4.0, -6.0]),
+        // The older form of lists without end, and none at all.
+        ("[$,if(4-$(),$()*$(),$)]", &[0.0, 1.0, 4.0, 9.0]),
+        ("[0,1,$,if(5-$(),$[-1]+$[-2],$)]", &[0.0, 1.0, 1.0, 2.0, 3.0]),
+        ("[7,$]", &[7.0]),
+        // Columns, of as many dimensions as there are numbers.
+        ("$companion([5,6,7])[][2]", &[-5.0, -6.0, -7.0]),
+        ("$charpoly($companion([5,6,7]))", &[5.0, 6.0, 7.0]),
     ] {
         assert_eq!(list(expression), wanted, "{expression}");
     }
@@ -262,6 +275,14 @@ fn a_subspace_is_a_plane_of_a_root() {
     // The inverse of x is x² + x + 1.
     assert_eq!(ambient.states[0][0].matrix, [1, 1, 0, 1, 0, 1, 1, 0, 0].map(whole));
     assert_eq!(ambient.states[0][1].from, 0);
+}
+
+#[test]
+fn what_is_zero_on_a_subspace_is_zero() {
+    // The eighth root of 1 makes 1 + s - s^3 the number 1 + √2, which turns nothing.
+    let text = "@\n$dim=4\n$subspace=[s,0]\ns=$companion([1,0,0,0])\nA=(1+s-s^3)^-1*(1|[1,0,0,0])*A\n";
+    let ratio = 0.414_213_562_373_095_05;
+    assert_eq!(rows(text), [[ratio, 0.0, 0.0, ratio, 0.0, 0.0], [ratio, 0.0, 0.0, ratio, ratio, 0.0]]);
 }
 
 #[test]

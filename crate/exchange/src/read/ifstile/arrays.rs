@@ -23,7 +23,7 @@ pub enum Look<'a> {
 
 impl<'p, 'a> Machine<'p, 'a> {
     /// A list of its elements. Behind `$` come a condition and an element, which is made while the condition is
-    /// positive.
+    /// positive; or one element alone, which is made until it is `$`.
     pub fn made(&mut self, elements: &'p [Expression<'a>]) -> Found<'a> {
         self.lists.push(Vec::new());
         let outcome = self.fill(elements);
@@ -40,8 +40,15 @@ impl<'p, 'a> Machine<'p, 'a> {
                 at += 1;
                 continue;
             }
-            let (Some(condition), Some(body)) = (elements.get(at + 1), elements.get(at + 2)) else {
-                return self.fail("Behind “$” in a list stand a condition and an element: [$,5-$(),$()].");
+            let (condition, body) = match &elements[at + 1..] {
+                [] => return Ok(()),
+                [until] => {
+                    while let Some(value) = self.unless_own(until)? {
+                        self.append(value)?;
+                    }
+                    return Ok(());
+                }
+                [condition, body, ..] => (condition, body),
             };
             loop {
                 let condition = self.value(condition)?;
@@ -54,6 +61,22 @@ impl<'p, 'a> Machine<'p, 'a> {
             at += 3;
         }
         Ok(())
+    }
+
+    /// What an expression comes to; none where that is `$`, the list itself.
+    fn unless_own(&mut self, mut expression: &'p Expression<'a>) -> Result<Option<Value<'a>>, ImportError> {
+        loop {
+            match expression {
+                Expression::Own => return Ok(None),
+                Expression::Suffixed(of, suffixes) => match (&**of, suffixes.as_slice()) {
+                    (Expression::Name("if"), [Suffix::Call(arguments)]) if arguments.len() > 2 => {
+                        expression = self.branch(arguments)?;
+                    }
+                    _ => return self.value(expression).map(Some),
+                },
+                _ => return self.value(expression).map(Some),
+            }
+        }
     }
 
     fn append(&mut self, value: Value<'a>) -> Result<(), ImportError> {
@@ -145,6 +168,15 @@ impl<'p, 'a> Machine<'p, 'a> {
             }
             other => self.fail(format!("An element is asked for of {}, no list.", other.noun())),
         }
+    }
+
+    /// The columns of the matrix of a map.
+    pub fn columns(&mut self, value: Value<'a>) -> Found<'a> {
+        let size = self.single(value.clone())?.size;
+        let entries = self.elements(value)?;
+        self.charge(ELEMENT_STEPS * entries.len())?;
+        let column = |k: usize| Value::list((0..size).map(|row| entries[row * size + k].clone()).collect());
+        Ok(Value::list((0..size).map(column).collect()))
     }
 
     /// The place that an index stands for; from the end where it is negative.

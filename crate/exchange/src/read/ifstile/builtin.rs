@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::rc::Rc;
 
-use super::affine::Affine;
+use super::affine::{Affine, MAX_DIMENSION};
 use super::blocks::refused;
 use super::machine::{Found, Machine};
 use super::number::Number;
@@ -16,6 +16,7 @@ use crate::text::short;
 /// What stands for many things at once, from which IFStile's finder chooses.
 const TEMPLATES: [&str; 8] =
     ["$number", "$vector", "$binary", "$semigroup", "$permutation", "$real", "$integer", "$template"];
+const BRANCHES: &str = "“if” takes a condition, a value, and another for else: if(x,1,2).";
 /// The code of what holds one.
 pub const TEMPLATE: &str = "aifs-template";
 
@@ -98,17 +99,28 @@ impl<'p, 'a> Machine<'p, 'a> {
                 let order = self.compared(&one, &other)?;
                 Ok(Value::Number(Number::whole(order as i64)))
             }
-            [pairs @ .., last] if pairs.len() % 2 == 0 && !pairs.is_empty() => {
-                for pair in pairs.chunks(2) {
-                    let condition = self.value(&pair[0])?;
-                    if self.holds(condition)? {
-                        return self.value(&pair[1]);
-                    }
-                }
-                self.value(last)
+            _ => {
+                let branch = self.branch(arguments)?;
+                self.value(branch)
             }
-            _ => self.fail("“if” takes a condition, a value, and another for else: if(x,1,2)."),
         }
+    }
+
+    /// Which of the values of `if` is chosen.
+    pub fn branch(&mut self, arguments: &'p [Expression<'a>]) -> Result<&'p Expression<'a>, ImportError> {
+        let [pairs @ .., last] = arguments else {
+            return self.fail(BRANCHES);
+        };
+        if pairs.is_empty() || pairs.len() % 2 == 1 {
+            return self.fail(BRANCHES);
+        }
+        for pair in pairs.chunks(2) {
+            let condition = self.value(&pair[0])?;
+            if self.holds(condition)? {
+                return Ok(&pair[1]);
+            }
+        }
+        Ok(last)
     }
 
     fn compared(&mut self, one: &Value<'a>, other: &Value<'a>) -> Result<Ordering, ImportError> {
@@ -135,12 +147,11 @@ impl<'p, 'a> Machine<'p, 'a> {
         match (name, arguments) {
             ("$companion", [list]) => {
                 let lower = self.number_list(list)?;
-                let size = self.size();
-                if lower.len() != size {
+                if !(1..=MAX_DIMENSION).contains(&lower.len()) {
                     let count = lower.len();
                     return self.fail(format!(
-                        "A companion matrix of {size} dimensions has {size} numbers, and here are {count}. Give as many \
-                         as $dim says, without the leading 1."
+                        "A companion matrix has 1 to {MAX_DIMENSION} numbers, and here are {count}. Give as many as $dim \
+                         says, without the leading 1."
                     ));
                 }
                 self.told(Affine::companion(&lower)).map(|map| Value::Map(Rc::new(map)))
@@ -220,13 +231,18 @@ impl<'p, 'a> Machine<'p, 'a> {
             return self.fail("“$new” takes a block first: $new(block, variable, value).");
         };
         let mut all = Vec::new();
-        for pair in given.chunks(2) {
-            let Expression::Name(name) = &pair[0] else {
-                return self.fail("“$new” takes names of variables, each with its value.");
-            };
-            all.push((*name, self.value(&pair[1])?));
-        }
         let block = instance.block;
+        for pair in given.chunks(2) {
+            let name = match &pair[0] {
+                Expression::Name(name) => *name,
+                other => {
+                    let place = self.value(other)?;
+                    let names = self.variables_of(block)?;
+                    names[self.place(&place, names.len())?]
+                }
+            };
+            all.push((name, self.value(&pair[1])?));
+        }
         Ok(Value::Block(Rc::new(Instance { block, given: all })))
     }
 

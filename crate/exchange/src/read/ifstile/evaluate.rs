@@ -58,15 +58,9 @@ impl<'p, 'a> Machine<'p, 'a> {
                 product.map_or_else(|| machine.fail("An empty product."), Ok)
             }),
             Expression::Power(parts) => self.within(|machine| {
-                let mut power: Option<Value<'a>> = None;
-                for part in parts.iter().rev() {
-                    let base = machine.value(part)?;
-                    power = Some(match power {
-                        None => base,
-                        Some(exponent) => machine.raised(base, &exponent)?,
-                    });
-                }
-                power.map_or_else(|| machine.fail("An empty power."), Ok)
+                let [base, exponent] = &**parts;
+                let (base, exponent) = (machine.value(base)?, machine.value(exponent)?);
+                machine.raised(base, &exponent)
             }),
             Expression::Negative(of) => {
                 let value = self.within(|machine| machine.value(of))?;
@@ -130,6 +124,7 @@ impl<'p, 'a> Machine<'p, 'a> {
                         _ => value,
                     }
                 }
+                Suffix::Flat if matches!(value, Value::Map(_)) => self.columns(value)?,
                 suffix => {
                     let look = self.look(suffix)?;
                     let list = self.elements(value)?;

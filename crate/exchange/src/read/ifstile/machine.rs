@@ -256,7 +256,8 @@ impl<'p, 'a> Machine<'p, 'a> {
         self.returned(&Instance { block, given: variables.into_iter().zip(arguments).collect() })
     }
 
-    fn variables_of(&mut self, block: usize) -> Result<Vec<&'a str>, ImportError> {
+    /// The names of a block and of those that it inherits.
+    pub fn variables_of(&mut self, block: usize) -> Result<Vec<&'a str>, ImportError> {
         let (chain, _) = self.program.chain(block);
         let count: usize = chain.iter().map(|&one| self.program.blocks[one].definitions.len()).sum();
         self.charge(1 + count)?;

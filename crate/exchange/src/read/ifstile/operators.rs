@@ -57,6 +57,7 @@ impl<'p, 'a> Machine<'p, 'a> {
             }
             (one, other) => {
                 let (one, other) = (self.single(one)?, self.single(other)?);
+                self.alike(&one, &other)?;
                 self.charge(Number::steps(one.size * one.size, one.words() + other.words()))?;
                 self.told(one.plus(&other)).map(|sum| Value::Map(Rc::new(sum)))
             }
@@ -166,10 +167,7 @@ impl<'p, 'a> Machine<'p, 'a> {
     }
 
     pub fn composed(&mut self, outer: &Rc<Affine>, inner: &Rc<Affine>) -> Result<Rc<Affine>, ImportError> {
-        if outer.size != inner.size {
-            let (one, other) = (outer.size, inner.size);
-            return self.fail(format!("A map of {one} dimensions meets one of {other}. Give both the same."));
-        }
+        self.alike(outer, inner)?;
         let dense = outer.matrix.iter().filter(|x| !x.is_zero()).count();
         self.charge(Number::steps(dense * outer.size, outer.words() + inner.words()))?;
         if outer.is_identity() {
@@ -177,6 +175,14 @@ impl<'p, 'a> Machine<'p, 'a> {
         }
         let product = self.told(outer.after(inner))?;
         self.finite(product)
+    }
+
+    fn alike(&self, one: &Affine, other: &Affine) -> Result<(), ImportError> {
+        if one.size == other.size {
+            return Ok(());
+        }
+        let (one, other) = (one.size, other.size);
+        self.fail(format!("A map of {one} dimensions meets one of {other}. Give both the same."))
     }
 
     /// A map all of whose entries are doubles, too.
@@ -208,6 +214,10 @@ impl<'p, 'a> Machine<'p, 'a> {
                 return Ok(Value::Number(power));
             }
             Value::Images(_) => return self.fail("A set has no power. Maps have: f^2*A."),
+            // A translation is made so many times, also a broken number of times.
+            Value::List(list) if is_flat(list) && (list.len() != self.size().pow(2) || list.len() == 1) => {
+                return self.scaled(list, &exponent, Joint::Times);
+            }
             _ => {}
         }
         let Some(power) = exponent.as_whole() else {

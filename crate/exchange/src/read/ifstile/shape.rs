@@ -88,6 +88,12 @@ impl<'a> Machine<'_, 'a> {
             return self.fail("$subspace is a matrix and its cells: $subspace=[M,0].");
         };
         let matrix = self.single(matrix.clone())?;
+        if matrix.size != self.size() {
+            let (one, other) = (matrix.size, self.size());
+            return self.fail(format!(
+                "The matrix of $subspace has {one} dimensions, and the maps have {other}. Set $dim={one}, or choose another."
+            ));
+        }
         let mut chosen = Vec::new();
         for cell in cells {
             match self.number(cell.clone())?.as_whole() {

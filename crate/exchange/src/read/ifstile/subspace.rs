@@ -135,8 +135,10 @@ impl Projection {
         if off > near.times(&scale) {
             return None;
         }
-        let matrix = acts.iter().flatten().map(Fixed::to_double).collect();
-        let shift = self.rows.iter().map(|row| dot(row, &shift).to_double()).collect();
+        // What is left of numbers that are 0 is none.
+        let rounded = |x: &Fixed| if x.abs() < Fixed::tiny(200) { 0.0 } else { x.to_double() };
+        let matrix = acts.iter().flatten().map(rounded).collect();
+        let shift = self.rows.iter().map(|row| rounded(&dot(row, &shift))).collect();
         Some((matrix, shift))
     }
 }

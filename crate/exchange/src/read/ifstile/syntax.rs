@@ -25,8 +25,7 @@ pub enum Expression<'a> {
     /// Each with whether it is taken away.
     Sum(Vec<(bool, Self)>),
     Product(Vec<(Joint, Self)>),
-    /// From right to left.
-    Power(Vec<Self>),
+    Power(Box<[Self; 2]>),
     Negative(Box<Self>),
     Suffixed(Box<Self>, Vec<Suffix<'a>>),
 }
@@ -203,18 +202,15 @@ impl<'a> Parser<'a, '_> {
     }
 
     fn power(&mut self) -> Parsed<Expression<'a>> {
-        let first = self.suffixed()?;
-        let mut more = Vec::new();
-        while self.take('^') {
-            let negative = self.take('-');
-            let exponent = self.suffixed()?;
-            more.push(if negative { Expression::Negative(Box::new(exponent)) } else { exponent });
+        let base = self.suffixed()?;
+        if !self.take('^') {
+            return Ok(base);
         }
-        if more.is_empty() {
-            return Ok(first);
-        }
-        more.insert(0, first);
-        Ok(Expression::Power(more))
+        // The exponent has its own sign and its own exponent: 2^-1^2 is 2^-(1^2).
+        self.enter()?;
+        let exponent = self.signed()?;
+        self.depth -= 1;
+        Ok(Expression::Power(Box::new([base, exponent])))
     }
 
     fn suffixed(&mut self) -> Parsed<Expression<'a>> {
