@@ -90,7 +90,7 @@ pub fn inputs() -> Outcome<String> {
     let mut all = Vec::new();
     for folder in fs::read_dir(root().join("crate"))? {
         let folder = folder?.path();
-        if !["testing", "xtask"].map(|name| folder.ends_with(name)).contains(&true) {
+        if !["python", "testing", "xtask"].map(|name| folder.ends_with(name)).contains(&true) {
             all.push(folder);
         }
     }
