@@ -5,6 +5,7 @@
 //! - [`wasm`] and [`package`] make `www/pkg` of the [`modules`]; [`site`] makes `dist/`; [`size`] weighs it.
 //! - [`circles`] keeps files from importing in circles: [`imports`] finds who imports what.
 //! - [`folders`] keeps folders from being too full and comments from being too wide.
+//! - [`python`] makes the wheel of the package for Python, and tries it.
 //! - [`serve`], [`mod@test`] and [`mod@bench`] are the commands of those names.
 
 mod bench;
@@ -16,6 +17,7 @@ mod imports;
 mod modules;
 mod node;
 mod package;
+mod python;
 mod serve;
 mod site;
 mod size;
@@ -55,6 +57,10 @@ TESTS
       The end-to-end tests take FROND_CHROMIUM as the browser where it is set, and the tests of exact
       answers take FROND_KNOWN as the directory of the answers (default: tests/known).
 
+  python
+      Write the wheel of the package for Python into target/python: `pip install` takes it. Python 3.10 or later has to
+      be there, which FROND_PYTHON may name; it is the one that `test` uses, too.
+
   bench [name ..]
       Measure: the benches of each crate, then the page in Chromium. Names choose some of them.
 
@@ -80,6 +86,7 @@ fn main() -> ExitCode {
         "serve" => serve::serve(&mut steps, rest),
         "build" => build(&mut steps, rest),
         "test" => test::test(&mut steps, rest),
+        "python" => python::build(&mut steps, rest),
         "bench" => bench::bench(&mut steps, rest),
         "setup" => setup(&mut steps, rest),
         other => Err(format!("there is no command `{other}`: `cargo xtask help` lists them").into()),

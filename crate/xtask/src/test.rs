@@ -13,6 +13,7 @@ use crate::command::{Outcome, Run, cargo, cargo_wasm, command, run, run_behind, 
 use crate::folders;
 use crate::modules::MODULES;
 use crate::node::{self, Tool};
+use crate::python;
 use crate::site;
 use crate::size;
 use crate::step::Steps;
@@ -94,6 +95,13 @@ const CHECKS: &[Check] = &[
         what: "tests of the crates",
         set_up: nothing,
         work: Work::Behind(cargo_test),
+    },
+    Check {
+        group: "rust",
+        name: "python",
+        what: "the package for Python, where Python is there",
+        set_up: wasm::build,
+        work: Work::Behind(python::test),
     },
     Check { group: "web", name: "tsc", what: "types of the page", set_up: wasm::build, work: Work::All(tsc) },
     Check {
