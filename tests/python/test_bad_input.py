@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fractions
+import itertools
 from collections.abc import Callable
 from typing import Any
 
@@ -47,6 +48,9 @@ NO_MAPS: list[tuple[Any, str]] = [
     ([HALF] * 65, "too-many-maps"),
     (np.zeros((100_000, 6)), "too-many-maps"),
     ((HALF for _ in range(65)), "too-many-maps"),
+    (itertools.repeat(HALF), "too-many-maps"),
+    (np.broadcast_to(0.5, (10**9, 6)), "bad-input"),
+    (np.ma.masked_invalid([[np.nan, 0, 0, 0.5, 0, 0]]), "bad-input"),
 ]
 
 
@@ -208,6 +212,37 @@ def test_numbers_of_numpy() -> None:
 def test_paths(path: Any) -> None:
     refused(lambda: frond.check_path("fern", "tree", points=path), "bad-input")
     refused(lambda: frond.certify_path("fern", "tree", points=path), "bad-input")
+
+
+ENDLESS: list[Any] = [
+    itertools.repeat((0.5, 0.5)),
+    np.broadcast_to(0.5, (10**9, 2)),
+    [(0.5, 0.5)] * 65537,
+]
+
+
+@pytest.mark.parametrize("path", ENDLESS, ids=["repeat", "broadcast", "list"])
+def test_what_does_not_end_is_refused(path: Any) -> None:
+    gasket = frond.Ifs(GASKET)
+    refused(lambda: frond.check_path("fern", "tree", points=path), "bad-input")
+    refused(lambda: frond.Morph("fern", "tree", turns=path), "bad-input")
+    refused(lambda: frond.Ifs(GASKET, path), "bad-input")
+    refused(lambda: gasket.rasterize(9, 9, palette=path), "bad-input")
+    refused(lambda: gasket.rasterize(9, 9, view=path), "bad-input")
+
+
+def test_what_the_package_computes_with_does_not_panic_either() -> None:
+    from frond import _frond
+
+    narrow = np.zeros((1, 3))
+    chosen = (False, [], [])
+    for ask in (
+        lambda: _frond.dimension(narrow),
+        lambda: _frond.pair((narrow, None), (narrow, None)),
+        lambda: _frond.interpolate((narrow, narrow, chosen), None, (0, 0, 0)),
+        lambda: _frond.attractor(np.array([HALF]), None, 2**60, 0),
+    ):
+        refused(ask, "bad-input")
 
 
 def test_stretches() -> None:

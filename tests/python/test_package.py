@@ -124,6 +124,21 @@ def test_everything_public_is_told() -> None:
                 assert inspect.getdoc(member), f"{name}.{key}"
 
 
+def test_parts_are_told() -> None:
+    """`help` does not show what stands below a field: the docstring of its class has it."""
+    for value in (frond.Box, frond.Check, frond.Locus, frond.Path, frond.PathProof, frond.Points, frond.Verdict):
+        for field in value.__annotations__:
+            assert f"\n{field} : " in (inspect.getdoc(value) or ""), (value, field)
+
+
+def test_names_are_those_that_are_imported() -> None:
+    with pytest.raises(frond.FrondError) as caught:
+        frond.Ifs(5)
+    assert f"{caught.type.__module__}.{caught.type.__qualname__}" == "frond.FrondError"
+    version = (ROOT / "Cargo.toml").read_text().split('\nversion = "')[1].split('"')[0]
+    assert frond.__version__ == version
+
+
 def test_what_is_raised_is_told() -> None:
     for name in ("connectedness", "certificate", "check", "locus", "plan_path", "certify_path", "link", "Ifs", "Morph"):
         assert "FrondError" in (inspect.getdoc(getattr(frond, name)) or ""), name

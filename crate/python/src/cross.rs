@@ -97,9 +97,12 @@ pub(crate) fn in_steps(
 /// Rows of six numbers, as the package checks and lays them out.
 pub(crate) type Rows<'py> = PyReadonlyArray2<'py, f64>;
 
-pub(crate) fn maps(rows: &Rows<'_>) -> Vec<Affine2> {
+pub(crate) fn maps(rows: &Rows<'_>) -> Result<Vec<Affine2>, Problem> {
     let rows = rows.as_array();
-    rows.outer_iter().map(|row| Affine2::from_row(std::array::from_fn(|i| row[i]))).collect()
+    if rows.ncols() != 6 {
+        return Err(Problem::input("The maps", "a row has six numbers"));
+    }
+    Ok(rows.outer_iter().map(|row| Affine2::from_row(std::array::from_fn(|i| row[i]))).collect())
 }
 
 /// An IFS that has an attractor.

@@ -26,6 +26,10 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _frond {
     #[pymodule_export]
+    #[allow(non_upper_case_globals)]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+
+    #[pymodule_export]
     use super::document::{decode, encode, presets};
     #[pymodule_export]
     use super::morph::{interpolate, pair};

@@ -20,10 +20,10 @@ pub(crate) struct Parts {
 }
 
 impl Parts {
-    pub(crate) fn of((from, to, chosen): Asked<'_>) -> Self {
+    pub(crate) fn of((from, to, chosen): Asked<'_>) -> Result<Self, Problem> {
         let (linear, correspondence, turns) = chosen;
         let mode = if linear { Mode::Linear } else { Mode::Polar };
-        Self { from: maps(&from), to: maps(&to), options: MorphOptions { mode, correspondence, turns } }
+        Ok(Self { from: maps(&from)?, to: maps(&to)?, options: MorphOptions { mode, correspondence, turns } })
     }
 
     pub(crate) fn morph(&self) -> Result<Morph, Problem> {
@@ -43,7 +43,7 @@ pub(crate) fn pair<'py>(
 ) -> PyResult<Paired<'py>> {
     let [from, to] = [first, last].map(|(rows, probabilities)| (maps(&rows), probabilities));
     let found = compute(py, || {
-        let [from, to] = [from, to].map(|(maps, given)| system(maps, given.as_deref()));
+        let [from, to] = [from, to].map(|(maps, given)| system(maps?, given.as_deref()));
         Ok(frond_core::pair(&from?, &to?))
     })?;
     let rows = [&found.from, &found.to].map(|maps| flat_rows(py, maps));
@@ -59,11 +59,13 @@ pub(crate) fn interpolate<'py>(
     probabilities: Option<(Vec<f64>, Vec<f64>)>,
     at: [f64; 3],
 ) -> PyResult<(Bound<'py, PyArray1<f64>>, Option<Vec<f64>>)> {
-    let parts = Parts::of(asked);
+    let parts = Parts::of(asked)?;
     let [u, v, w] = at;
-    let maps = compute(py, || Ok(parts.morph()?.at3(u, v, w)))?;
-    let between = |(from, to): (Vec<f64>, Vec<f64>)| {
-        probabilities_between(&from, &to, &parts.options.correspondence, u)
-    };
-    Ok((flat_rows(py, &maps), probabilities.map(between)))
+    let (maps, between) = compute(py, || {
+        let between = |(from, to): (Vec<f64>, Vec<f64>)| {
+            probabilities_between(&from, &to, &parts.options.correspondence, u)
+        };
+        Ok((parts.morph()?.at3(u, v, w), probabilities.map(between)))
+    })?;
+    Ok((flat_rows(py, &maps), between))
 }

@@ -16,7 +16,7 @@ pub(crate) fn checked(
     rows: Rows<'_>,
     probabilities: Option<Vec<f64>>,
 ) -> PyResult<Option<Vec<f64>>> {
-    let maps = maps(&rows);
+    let maps = maps(&rows)?;
     compute(py, || {
         let count = maps.len();
         match Ifs::new(maps) {
@@ -41,6 +41,8 @@ pub(crate) fn checked(
 /// How many points are made between two looks at whether somebody wants to stop.
 const AT_ONCE: usize = 1 << 18;
 
+const MOST_POINTS: usize = 1 << 24;
+
 /// Points of the chaos game, x0, y0, x1, y1, .., and the piece of each.
 #[pyfunction]
 pub(crate) fn attractor<'py>(
@@ -50,7 +52,10 @@ pub(crate) fn attractor<'py>(
     points: usize,
     seed: u32,
 ) -> PyResult<(Bound<'py, PyArray1<f32>>, Bound<'py, PyArray1<u8>>)> {
-    let maps = maps(&rows);
+    let maps = maps(&rows)?;
+    if points > MOST_POINTS {
+        return Err(Problem::input("n", format!("it is at most {MOST_POINTS}")).into());
+    }
     let ifs = compute(py, || system(maps, probabilities.as_deref()))?;
     let mut game = ChaosGame::new(&ifs, seed);
     let (mut positions, mut pieces) = (vec![0.0; 2 * points], vec![0; points]);
@@ -75,7 +80,7 @@ pub(crate) fn rasterize<'py>(
     probabilities: Option<Vec<f64>>,
     options: Asked,
 ) -> PyResult<Bound<'py, PyArray1<u8>>> {
-    let maps = maps(&rows);
+    let maps = maps(&rows)?;
     let (width, height, view, colouring, palette, smooth, exposure, light_ground, draft) = options;
     let colouring = match colouring.as_str() {
         "map" => Colouring::Map,
@@ -113,7 +118,7 @@ pub(crate) fn bounds<'py>(
     py: Python<'py>,
     rows: Rows<'_>,
 ) -> PyResult<([f64; 2], [f64; 2], Bound<'py, PyArray1<f64>>)> {
-    let maps = maps(&rows);
+    let maps = maps(&rows)?;
     let hull = compute(py, || Ok(Hull::of(&system(maps, None)?)))?;
     Ok((hull.min().to_array(), hull.max().to_array(), flat(py, hull.vertices())))
 }
@@ -121,7 +126,7 @@ pub(crate) fn bounds<'py>(
 /// The similarity dimension, where all maps are similitudes, and the affinity dimension.
 #[pyfunction]
 pub(crate) fn dimension(py: Python<'_>, rows: Rows<'_>) -> PyResult<(Option<f64>, f64)> {
-    let maps = maps(&rows);
+    let maps = maps(&rows)?;
     compute(py, || {
         let ifs = system(maps, None)?;
         Ok((similarity_dimension(&ifs), affinity_dimension(&ifs)))

@@ -67,7 +67,7 @@ pub(crate) fn connectedness(
     rows: Rows<'_>,
     asked: (Option<f64>, Option<usize>),
 ) -> PyResult<Told> {
-    let maps = maps(&rows);
+    let maps = maps(&rows)?;
     compute(py, || match Ifs::new(maps) {
         Ok(ifs) => told(&frond_locus::connectedness(&ifs, &options(asked))),
         Err(IfsError::NoAttractor { .. } | IfsError::Unproved) => Ok((
@@ -116,7 +116,7 @@ pub(crate) fn certificate(
     rows: Rows<'_>,
     asked: (Option<f64>, Option<usize>),
 ) -> PyResult<Option<String>> {
-    let maps: Vec<Affine2> = maps(&rows);
+    let maps: Vec<Affine2> = maps(&rows)?;
     compute(py, || {
         let ifs = system(maps, None)?;
         let Some(found) = frond_locus::certificate(&ifs, &options(asked)) else { return Ok(None) };
@@ -138,7 +138,7 @@ pub(crate) fn connected_certificate(
     rows: Rows<'_>,
     asked: (Option<f64>, Option<usize>),
 ) -> PyResult<Option<String>> {
-    let maps: Vec<Affine2> = maps(&rows);
+    let maps: Vec<Affine2> = maps(&rows)?;
     compute(py, || {
         let ifs = system(maps, None)?;
         let Some(found) = frond_locus::connected_certificate(&ifs, &options(asked)) else { return Ok(None) };

@@ -21,7 +21,7 @@ pub(crate) fn locus<'py>(
     epsilon: f64,
     w: f64,
 ) -> PyResult<(Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<f32>>)> {
-    let parts = Parts::of(asked);
+    let parts = Parts::of(asked)?;
     let [u0, v0, u1, v1] = bounds;
     let (width, height) = size;
     let grid = LocusGrid::new(Bounds { u0, v0, u1, v1 }, width, height).map_err(Problem::from)?;
@@ -53,7 +53,7 @@ pub(crate) fn plan_path(
     size: Option<usize>,
     space: bool,
 ) -> PyResult<Told> {
-    let parts = Parts::of(asked);
+    let parts = Parts::of(asked)?;
     let morph: Morph = compute(py, || parts.morph())?;
     let default = PathOptions::default();
     let axes = if space { Axes::Three } else { Axes::Two };
@@ -89,7 +89,7 @@ pub(crate) fn check_path(
     epsilon: f64,
     samples: usize,
 ) -> PyResult<(f64, bool, Vec<(f64, f64)>)> {
-    let parts = Parts::of(asked);
+    let parts = Parts::of(asked)?;
     compute(py, || {
         let found = frond_locus::check_path(&parts.morph()?, &points(&path), epsilon, samples);
         Ok((found.gap, found.holds, found.breaks))
@@ -107,7 +107,7 @@ pub(crate) fn certify_path(
     stretch: (f64, f64),
     budget: Option<usize>,
 ) -> PyResult<(f64, bool, usize, f64, bool, usize)> {
-    let parts = Parts::of(asked);
+    let parts = Parts::of(asked)?;
     let (t0, t1) = stretch;
     let default = CertifyOptions::default();
     let options = CertifyOptions { within, t0, t1, budget: budget.unwrap_or(default.budget) };

@@ -11,7 +11,8 @@ use crate::step::Steps;
 /// What builds the wheel; crate/python/pyproject.toml names the same.
 const MATURIN: &str = "1.16.0";
 
-const MISSING: &str = "Python 3.10 or later is missing (`python3`, or the one that FROND_PYTHON names)";
+const MISSING: &str =
+    "Python 3.10 or later with venv and pip is missing (`python3`, or the one that FROND_PYTHON names)";
 
 /// Writes the wheel for users into target/python.
 pub fn build(steps: &mut Steps, arguments: &[String]) -> Outcome {
@@ -33,7 +34,9 @@ pub fn test(run: Run) -> Outcome {
     let place = folder().join("test");
     run(command(&python).args(["-m", "venv", "--clear"]).arg(&place))?;
     run(pip(&place).args(["--requirement", "tests/python/requirements.txt"]).arg(wheel))?;
-    run(command(program(&place, "python")).args(["-m", "pytest", "tests/python", "-q"]))
+    // It writes nothing beside the tests.
+    let tests = ["-B", "-m", "pytest", "-p", "no:cacheprovider", "tests/python", "-q"];
+    run(command(program(&place, "python")).args(tests))
 }
 
 /// A Python that is new enough.

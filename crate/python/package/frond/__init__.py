@@ -13,6 +13,7 @@ JavaScript, bit for bit. While something is computed, other threads go on.
 """
 
 from ._errors import FrondError
+from ._frond import __version__
 from ._ifs import Box, Ifs, Points, Preset, presets
 from ._link import Linked, link, open_link
 from ._morph import Morph
@@ -45,3 +46,9 @@ __all__ = [
     "plan_path",
     "presets",
 ]
+
+# What its users see, in errors and in `help`, is named as they import it.
+for _name in __all__:
+    if isinstance(_told := globals()[_name], type):
+        _told.__module__ = __name__
+del _name, _told

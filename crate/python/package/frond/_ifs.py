@@ -16,23 +16,36 @@ LONGEST_SIDE = 8192
 
 
 class Points(NamedTuple):
-    """Points of an attractor."""
+    """Points of an attractor.
+
+    Attributes
+    ----------
+    positions : ndarray
+        Shape (n, 2), float32: x and y of each.
+    pieces : ndarray
+        Shape (n,), uint8: the map, from 0, whose piece each lies in.
+    """
 
     positions: npt.NDArray[np.float32]
-    """Shape (n, 2), float32: x and y of each."""
     pieces: npt.NDArray[np.uint8]
-    """Shape (n,), uint8: the map, from 0, whose piece each lies in."""
 
 
 class Box(NamedTuple):
-    """Where an attractor lies, in units of the plane."""
+    """Where an attractor lies, in units of the plane.
+
+    Attributes
+    ----------
+    min : ndarray
+        Shape (2,): the least x and y, or a little less.
+    max : ndarray
+        Shape (2,): the largest x and y, or a little more.
+    hull : ndarray
+        Shape (k, 2): the corners of a convex polygon that holds the attractor, counter-clockwise.
+    """
 
     min: npt.NDArray[np.float64]
-    """Shape (2,): the least x and y, or a little less."""
     max: npt.NDArray[np.float64]
-    """Shape (2,): the largest x and y, or a little more."""
     hull: npt.NDArray[np.float64]
-    """Shape (k, 2): the corners of a convex polygon that holds the attractor, counter-clockwise."""
 
 
 class Ifs:

@@ -15,14 +15,21 @@ MOST_BETWEEN = 64
 
 
 class Linked(NamedTuple):
-    """What a link says of a morph."""
+    """What a link says of a morph.
+
+    Attributes
+    ----------
+    morph : Morph
+        The morph.
+    path : Any
+        ``"auto"``, ``"straight"``, or the points (u, v) or (u, v, w) between the ends.
+    t : float
+        The moment, 0 to 1 by length of the path.
+    """
 
     morph: Morph
-    """The morph."""
     path: Any
-    """``"auto"``, ``"straight"``, or the points (u, v) or (u, v, w) between the ends."""
     t: float
-    """The moment, 0 to 1 by length of the path."""
 
 
 def _shape(ifs: Ifs, name: str) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import numbers
 from collections.abc import Iterable, Sequence
+from itertools import islice
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -18,6 +19,10 @@ Floats = npt.NDArray[np.float64]
 MOST_MAPS = 64
 #: No list is longer that is read as numbers: an attractor of 16777216 points is.
 MOST_NUMBERS = 1 << 26
+#: Nor a list that has to be walked through one by one.
+MOST_ITEMS = 1 << 20
+MOST_ON_A_PATH = 1 << 16
+MOST_COLOURS = 1024
 
 
 def _plain(value: Any) -> Any:
@@ -82,13 +87,23 @@ def text(what: str, value: Any) -> str:
     return value
 
 
+def few(what: str, value: Iterable[Any], most: int) -> list[Any]:
+    """What an iterable gives, which may never end."""
+    listed = list(islice(value, most + 1))
+    if len(listed) > most:
+        raise unreadable(what, f"it is longer than {most}, and no more is read")
+    return listed
+
+
 def array(what: str, value: Any) -> Union[Floats, npt.NDArray[np.complex128]]:
     """Finite doubles, or complex numbers where some are, of any shape. Nothing is copied that need not be."""
     if isinstance(value, (str, bytes, bytearray, memoryview, dict, set, frozenset)) or value is None:
         raise unreadable(what, "an array of numbers is needed")
     if isinstance(value, Iterable) and not isinstance(value, Sequence) and not hasattr(value, "__array__"):
         if not hasattr(value, "__array_interface__"):
-            value = list(value)
+            value = few(what, value, MOST_ITEMS)
+    if np.ma.is_masked(value):
+        raise unreadable(what, "some of its numbers are masked")
     try:
         found = np.asarray(value)
     except (ValueError, TypeError, OverflowError, RecursionError):
@@ -138,9 +153,10 @@ _FORMS = "rows of six numbers, 2 x 3 matrices or pairs (s, t) of complex numbers
 def rows(maps: Any) -> Floats:
     """Maps as rows (a, b, c, d, e, f), in an array that nobody can write to."""
     if not hasattr(maps, "__array__") and isinstance(maps, Iterable) and not isinstance(maps, (str, bytes, dict)):
-        maps = list(maps)
+        count = len(maps) if isinstance(maps, Sequence) else None
+        maps = list(islice(maps, MOST_MAPS + 1))
         if len(maps) > MOST_MAPS:
-            raise too_many(len(maps))
+            raise too_many(count)
     found = array("The maps", maps)
     if found.ndim >= 1 and found.size == 0 and found.shape[0] == 0:
         return _kept(np.empty((0, 6)))
@@ -158,9 +174,10 @@ def rows(maps: Any) -> Floats:
     raise unreadable("The maps", f"{_FORMS}, and it has the shape {found.shape}")
 
 
-def too_many(count: int) -> FrondError:
+def too_many(count: Optional[int]) -> FrondError:
     """The error of a list of maps that is too long, before anything else is looked at."""
-    return FrondError(f"There are {count} maps, and the most is 64. Remove some.", "too-many-maps")
+    told = f"more than {MOST_MAPS}" if count is None else count
+    return FrondError(f"There are {told} maps, and the most is {MOST_MAPS}. Remove some.", "too-many-maps")
 
 
 def _similitudes(pairs: npt.NDArray[Any]) -> Floats:
@@ -211,14 +228,14 @@ def points(what: str, value: Any) -> Floats:
 def path(value: Any) -> list[tuple[float, float, float]]:
     """Points (u, v) or (u, v, w) of a path."""
     what = "The path"
+    if isinstance(value, np.ndarray) and value.ndim > 0 and len(value) > MOST_ON_A_PATH:
+        raise unreadable(what, f"it has {len(value)} points, and at most {MOST_ON_A_PATH} are read")
     try:
-        listed = [finite(what, point).tolist() for point in value]
+        listed = [finite(what, point).tolist() for point in few(what, value, MOST_ON_A_PATH)]
     except TypeError:
         raise unreadable(what, "a list of points (u, v) or (u, v, w) is needed") from None
     if not listed:
         raise unreadable(what, "it must have a point or more")
-    if len(listed) > 1 << 16:
-        raise unreadable(what, f"it has {len(listed)} points, and at most 65536 are read")
     if not all(isinstance(point, list) and len(point) in (2, 3) for point in listed):
         raise unreadable(what, "each point must be two or three finite numbers")
     if not all(isinstance(number, float) for point in listed for number in point):
@@ -232,7 +249,7 @@ def colours(value: Any) -> list[tuple[int, int, int]]:
         return []
     listed = [value] if isinstance(value, str) else value
     try:
-        listed = list(listed)
+        listed = few("The palette", listed, MOST_COLOURS)
     except TypeError:
         raise unreadable("The palette", "colours are written #rrggbb") from None
     found = []

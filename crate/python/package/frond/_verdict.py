@@ -17,30 +17,43 @@ from ._ifs import ifs_of
 
 @dataclass(frozen=True, eq=False)
 class Verdict:
-    """What is known of whether an attractor is in one piece. Lengths are in units of the plane."""
+    """What is known of whether an attractor is in one piece. Lengths are in units of the plane.
+
+    Attributes
+    ----------
+    verdict : str
+        ``"connected"`` and ``"disconnected"`` are proved; ``"touching"``: the pieces come within epsilon of each
+        other, so that it is in one piece as far as that resolution tells; ``"undecided"``: the budget was spent;
+        ``"no-attractor"``.
+    gap : tuple[float, float]
+        Bounds of the widest edge of the least spanning tree between the pieces.
+    overlaps : list[tuple[int, int]]
+        Pairs of maps, from 0, whose pieces meet, or come within epsilon.
+    components : list[int]
+        For each map the number, from 0, of the cluster of pieces that its own hangs together with.
+    count : int
+        How many clusters there are.
+    closest : ndarray or None
+        Shape (2, 2): the points of two clusters that realise the widest gap; `None` where there is none.
+    diameter : float
+        A bound of the diameter of the attractor: epsilon is relative to it.
+    nodes : int
+        Pairs of pieces that were looked at.
+    reason : dict[str, Any] or None
+        Why it is connected, or under which reading of its numbers it would be: ``kind``, ``text`` (a sentence),
+        ``links`` (what holds pieces together), ``assuming`` (readings of numbers), and ``neighbours`` (how many
+        neighbour types there are) where there are some.
+    """
 
     verdict: str
-    """``"connected"`` and ``"disconnected"`` are proved; ``"touching"``: the pieces come within epsilon of each other,
-    so that it is in one piece as far as that resolution tells; ``"undecided"``: the budget was spent;
-    ``"no-attractor"``."""
     gap: tuple[float, float]
-    """Bounds of the widest edge of the least spanning tree between the pieces."""
     overlaps: list[tuple[int, int]]
-    """Pairs of maps, from 0, whose pieces meet, or come within epsilon."""
     components: list[int]
-    """For each map the number, from 0, of the cluster of pieces that its own hangs together with."""
     count: int
-    """How many clusters there are."""
     closest: Optional[npt.NDArray[np.float64]]
-    """Shape (2, 2): the points of two clusters that realise the widest gap; `None` where there is none."""
     diameter: float
-    """A bound of the diameter of the attractor: epsilon is relative to it."""
     nodes: int
-    """Pairs of pieces that were looked at."""
     reason: Optional[dict[str, Any]]
-    """Why it is connected, or under which reading of its numbers it would be: ``kind``, ``text`` (a sentence),
-    ``links`` (what holds pieces together), ``assuming`` (readings of numbers), and ``neighbours`` (how many neighbour
-    types there are) where there are some."""
 
     def __bool__(self) -> bool:
         raise TypeError("A verdict is more than yes or no: look at .verdict or .holds.")
@@ -56,18 +69,27 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Check:
-    """What came of the replay of a certificate."""
+    """What came of the replay of a certificate.
+
+    Attributes
+    ----------
+    valid : bool
+        Whether it proves what it says.
+    text : str
+        What was checked, or what is wrong, in a sentence.
+    pairs : int
+        How many pairs of pieces are apart.
+    links : int
+        How many links hold pieces together.
+    longest : int
+        Letters of the longest word.
+    """
 
     valid: bool
-    """Whether it proves what it says."""
     text: str
-    """What was checked, or what is wrong, in a sentence."""
     pairs: int
-    """How many pairs of pieces are apart."""
     links: int
-    """How many links hold pieces together."""
     longest: int
-    """Letters of the longest word."""
 
     def __bool__(self) -> bool:
         return self.valid

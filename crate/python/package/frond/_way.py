@@ -19,66 +19,102 @@ STATES = ("connected", "touching", "disconnected", "undecided", "no-attractor")
 
 
 class Locus(NamedTuple):
-    """Where a morph stays in one piece."""
+    """Where a morph stays in one piece.
+
+    Attributes
+    ----------
+    state : ndarray
+        Shape (height, width), uint8: 0 connected, 1 touching, 2 disconnected, 3 undecided, 4 no attractor. Row 0 is
+        the least v: ``matplotlib.pyplot.imshow(.., origin="lower")``.
+    gap : ndarray
+        Shape (height, width), float32: the widest gap over the diameter of the attractor, 0 where it holds together,
+        NaN where there is none.
+    u : ndarray
+        Shape (width,): the u of each column.
+    v : ndarray
+        Shape (height,): the v of each row.
+    """
 
     state: npt.NDArray[np.uint8]
-    """Shape (height, width), uint8: 0 connected, 1 touching, 2 disconnected, 3 undecided, 4 no attractor. Row 0 is the
-    least v: ``matplotlib.pyplot.imshow(.., origin="lower")``."""
     gap: npt.NDArray[np.float32]
-    """Shape (height, width), float32: the widest gap over the diameter of the attractor, 0 where it holds together, NaN
-    where there is none."""
     u: npt.NDArray[np.float64]
-    """Shape (width,): the u of each column."""
     v: npt.NDArray[np.float64]
-    """Shape (height,): the v of each row."""
 
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """A path through the parameters of a morph, and what was met along it."""
+    """A path through the parameters of a morph, and what was met along it.
+
+    Attributes
+    ----------
+    points : ndarray
+        Shape (n, 2), or (n, 3) where it leaves the plane w = 0: from (0, 0) to (1, 1), both included.
+    gap : float
+        The widest gap that was met, relative to the diameter of the attractor; 0 if it holds all the way.
+    holds : bool
+        Whether no sample along it was broken.
+    clearance : float
+        The least distance, in (u, v, w), from what is broken.
+    worst : tuple[float, ...] or None
+        Where the gap is widest; `None` if it holds.
+    apart : bool
+        Whether the ends lie in different components of what holds on the samples: then no path within them holds.
+    step : float
+        How far the samples were from each other.
+    """
 
     points: npt.NDArray[np.float64]
-    """Shape (n, 2), or (n, 3) where it leaves the plane w = 0: from (0, 0) to (1, 1), both included."""
     gap: float
-    """The widest gap that was met, relative to the diameter of the attractor; 0 if it holds all the way."""
     holds: bool
-    """Whether no sample along it was broken."""
     clearance: float
-    """The least distance, in (u, v, w), from what is broken."""
     worst: Optional[tuple[float, ...]]
-    """Where the gap is widest; `None` if it holds."""
     apart: bool
-    """Whether the ends lie in different components of what holds on the samples: then no path within them holds."""
     step: float
-    """How far the samples were from each other."""
 
 
 class PathCheck(NamedTuple):
-    """What was met along a path."""
+    """What was met along a path.
+
+    Attributes
+    ----------
+    gap : float
+        The widest relative gap; infinity where there is no attractor.
+    holds : bool
+        Whether no sample was broken.
+    breaks : list[tuple[float, float]]
+        Broken stretches, as fractions of the length of the path in (u, v).
+    """
 
     gap: float
-    """The widest relative gap; infinity where there is no attractor."""
     holds: bool
-    """Whether no sample was broken."""
     breaks: list[tuple[float, float]]
-    """Broken stretches, as fractions of the length of the path in (u, v)."""
 
 
 class PathProof(NamedTuple):
-    """What is proved of a stretch of a path."""
+    """What is proved of a stretch of a path.
+
+    Attributes
+    ----------
+    gap : float
+        No relative gap is wider anywhere on the stretch: proved. Infinity where nothing is.
+    holds : bool
+        Whether that is no more than was asked for.
+    boxes : int
+        Boxes that cover the stretch.
+    worst : float
+        Where the least could be proved, by length of the whole path.
+    complete : bool
+        Whether the question is answered: it holds, or a gap as wide is there.
+    joints : int
+        How many joints of pieces the bound rests on, which stay joined on the whole path; 0 where it rests on boxes.
+    """
 
     gap: float
-    """No relative gap is wider anywhere on the stretch: proved. Infinity where nothing is."""
     holds: bool
-    """Whether that is no more than was asked for."""
     boxes: int
-    """Boxes that cover the stretch."""
     worst: float
-    """Where the least could be proved, by length of the whole path."""
     complete: bool
-    """Whether the question is answered: it holds, or a gap as wide is there."""
     joints: int
-    """How many joints of pieces the bound rests on, which stay joined on the whole path; 0 where it rests on boxes."""
 
 
 def locus(
