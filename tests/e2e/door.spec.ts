@@ -136,12 +136,7 @@ test("programs of IFStile open as what they are: several states, objects of spac
     .poll(async () => (await studio.said()).join())
     .toContain("Pair is now shape A, with 4 maps in 2 states.");
   const { directed, tool, t } = await studio.scene();
-  expect([directed?.a.name, directed?.a.states.length, tool ?? "morph", t]).toEqual([
-    "Pair",
-    2,
-    "morph",
-    0,
-  ]);
+  expect([directed?.a.name, directed?.a.states.length, tool ?? "morph", t]).toEqual(["Pair", 2, "morph", 0]);
   await studio.drawn();
   // It is saved as such a program, and opens again.
   await page.getByRole("button", { name: "More for shape A" }).click();
