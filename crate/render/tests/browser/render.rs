@@ -6,11 +6,9 @@ use std::rc::Rc;
 
 use frond_core::{Affine2, Colouring, Hull, Ifs};
 use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin, Tint};
-#[cfg(feature = "webgpu")]
-use frond_render::Code;
 use frond_render::gpu::{Canvas, Drawn, Event, Stage, Style, Wanted};
 use frond_render::{
-    Colours, Density, Detail, Frame, Plan, RasterOptions, SplatPlan, Splats, View, Window, rasterize,
+    Code, Colours, Density, Detail, Frame, Plan, RasterOptions, SplatPlan, Splats, View, Window, rasterize,
     resolve_codes, resolve_density, to_bytes,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
