@@ -150,7 +150,7 @@ test("a link brings the bend and says where the picture is; a shape comes back w
   const bent = (await studio.look()).hash;
   await expect.poll(() => page.url()).toContain("picture");
   await studio.open(new URL(page.url()).hash.slice(1));
-  await expect.poll(() => studio.said()).toContain("The picture itself is not in the link: choose it again.");
+  await expect.poll(() => studio.said()).toContain("The link does not contain the picture. Choose it again.");
   await expect(name(page, "Sample: ferns at dusk")).toBeVisible();
   expect((await studio.look()).hash).toBe(bent);
   await page.getByRole("radio", { name: "Shape" }).check({ force: true });
