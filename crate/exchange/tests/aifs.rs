@@ -395,6 +395,11 @@ fn sets_that_are_no_part_of_each_other_are_shapes_of_their_own() {
         read("@\n$root=B\nA=2^-1*(1|[1,0])*A\nB=A\n").systems[0].maps,
         Maps::Plane(rows("@\nA=2^-1*(1|[1,0])*A"))
     );
+    // Sets may be kept in lists, which are no sets.
+    let found = read("@\nA=2^-1*(1|[1,0])*A\nB=3^-1*(1|[1,0]|[0,1])*B\nC=[A,B]\nD=C[1]|[4,0]*C[0]\n");
+    let counts: Vec<_> = found.systems.iter().map(|it| it.maps.len()).collect();
+    assert_eq!(counts, [2, 3, 7]);
+    assert!(told("@\n$root=C\nA=2^-1*A\nC=[A,A]\n").starts_with("Line 2: $root names “C”, which is no set."));
     assert!(told("@\n$root=X\nA=2^-1*A\n").starts_with("Line 2: $root names “X”"));
 }
 

@@ -82,6 +82,8 @@ fn nothing_goes_on_without_end() {
     let wide: String = (1..20).map(|k| format!("u{k}=(u{}|u{})\n", k - 1, k - 1)).collect();
     let calls: String =
         (1..30).map(|k| format!("@f{k}\n$a=h\nx=1\nret=f{}(x)+f{}(x)\n", k - 1, k - 1)).collect();
+    let fraction = |k: usize| format!("{}/{}", 3 * k % 97 + 1, k * k % 89 + 2);
+    let dense = (0..144).map(fraction).collect::<Vec<_>>().join(",");
     for (text, part) in [
         ("@a\n$a=h\nr=b()\n@b\n$a=h\nr=a()\n@\nA=a()*A\n".to_owned(), "go on without end"),
         (format!("@\nn0=n69\n{names}A=n69*A\n"), "made of 70 sets"),
@@ -93,8 +95,11 @@ fn nothing_goes_on_without_end() {
         ("@\nx=[$,4000-$(),1]\nf=[$,4000-$(),x+x]\nA=f*A\n".into(), "too many steps"),
         (
             "@\n$dim=12\n$subspace=[s,0]\ns=$companion([1,2,3,4,5,6,7,8,9,1,2,3])^5000\nA=s*A\n".into(),
-            "too large",
+            "too many steps",
         ),
+        // Long fractions, which take long.
+        (format!("@\n$dim=12\ns=[{dense}]\nA=(((s^-1)*s*s)^-1*s^9)^-7*A\n"), "too many steps"),
+        ("@\nf=[1/3,$,4000-$(),$[-1]+1/(7+$())]\nA=f*A\n".repeat(60), "becomes too large"),
         ("@g\n$a=h\n&f=f+1\nret=f\n@\nA=g()*A\n".into(), "go on without end"),
         ("@\n$dim=$dim\nA=2^-1*A\n".into(), "is defined by itself"),
     ] {

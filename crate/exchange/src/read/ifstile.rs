@@ -139,7 +139,16 @@ fn read_shapes(machine: &mut Machine<'_, '_>, k: usize, circle: bool) -> Result<
             remarks.push(format!("The block has {count} sets more, which are left out."));
             break;
         }
-        let graph = machine.graph(&sets, name)?;
+        let Some(graph) = machine.graph(&sets, name)? else {
+            if let Some((_, line)) = root.filter(|(root, _)| root == name) {
+                machine.line = line;
+                let name = short(name, 20);
+                return machine.fail(format!(
+                    "$root names “{name}”, which is no set. Name one that is made of images of sets, as in S=(f|g)*S."
+                ));
+            }
+            continue;
+        };
         done.push(name);
         done.extend(&graph.names);
         let mut system = machine.shape(&graph)?;

@@ -1,10 +1,18 @@
 //! Affine maps of a space of any dimension, in numbers that are exact where they can be.
 
-use super::number::{Number, Outcome};
+use num_bigint::BigInt;
+use num_rational::Ratio;
+use num_traits::{One, Zero};
+
+use super::number::{Number, Outcome, TOO_LARGE};
+use super::rational::Rational;
 
 /// The most dimensions of a program.
 pub const MAX_DIMENSION: usize = 12;
 const SINGULAR: &str = "A map that has no inverse is inverted: it makes its space flat. Choose another.";
+
+/// The longest common denominator of a matrix whose characteristic polynomial is asked for.
+const MOST_COMMON_BITS: u64 = 512;
 
 /// `x' = matrix x + shift`; the matrix row by row.
 #[derive(Clone, Debug, PartialEq)]
@@ -171,6 +179,9 @@ impl Affine {
     /// Le Verrier).
     pub fn characteristic(&self) -> Outcome<Vec<Number>> {
         let size = self.size;
+        if let Some(exact) = self.matrix.iter().map(Number::exact).collect::<Option<Vec<_>>>() {
+            return of_fractions(&exact, size);
+        }
         let matrix = Self { shift: vec![Number::ZERO; size], ..self.clone() };
         let mut lower = vec![Number::ZERO; size];
         let mut sum = Self { matrix: vec![Number::ZERO; size * size], ..matrix.clone() };
@@ -190,6 +201,47 @@ impl Affine {
         }
         Ok(lower)
     }
+}
+
+/// The same of fractions, in whole numbers: those times their common denominator.
+fn of_fractions(matrix: &[&Rational], size: usize) -> Outcome<Vec<Number>> {
+    let ratios: Vec<_> = matrix.iter().map(|x| x.ratio()).collect();
+    let mut common = BigInt::one();
+    for ratio in &ratios {
+        if !(&common % ratio.denom()).is_zero() {
+            // What of the denominator is not in the common one yet.
+            let more = Ratio::new(common.clone(), ratio.denom().clone());
+            common *= more.denom();
+        }
+        if common.bits() > MOST_COMMON_BITS {
+            return Err(TOO_LARGE);
+        }
+    }
+    let matrix: Vec<BigInt> = ratios.iter().map(|x| x.numer() * (&common / x.denom())).collect();
+    if matrix.iter().any(|x| x.bits() > 2 * MOST_COMMON_BITS) {
+        return Err(TOO_LARGE);
+    }
+    let after = |other: &[BigInt]| -> Vec<BigInt> {
+        let entry = |row: usize, column: usize| {
+            (0..size).map(|k| &matrix[row * size + k] * &other[k * size + column]).sum()
+        };
+        (0..size * size).map(|at| entry(at / size, at % size)).collect()
+    };
+    let mut lower = vec![Number::ZERO; size];
+    let mut product = vec![BigInt::zero(); size * size];
+    let (mut last, mut power) = (BigInt::one(), BigInt::one());
+    for k in 1..=size {
+        for row in 0..size {
+            product[row * (size + 1)] += &last;
+        }
+        product = after(&product);
+        let trace: BigInt = (0..size).map(|row| &product[row * (size + 1)]).sum();
+        // This leaves no rest.
+        last = -trace / k;
+        power *= &common;
+        lower[size - k] = Number::Exact(Rational::of(Ratio::new(last.clone(), power.clone()))).checked()?;
+    }
+    Ok(lower)
 }
 
 #[cfg(test)]

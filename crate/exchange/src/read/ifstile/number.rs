@@ -44,7 +44,7 @@ impl Number {
         if x.is_finite() { Ok(Self::Real(x)) } else { Err(TOO_LARGE) }
     }
 
-    fn checked(self) -> Outcome<Self> {
+    pub fn checked(self) -> Outcome<Self> {
         let long = matches!(&self, Self::Exact(x) | Self::Turn(x) if x.bits() > MOST_BITS);
         if long { Err(TOO_LARGE) } else { Ok(self) }
     }
@@ -95,7 +95,7 @@ impl Number {
     /// How many steps so many products of numbers of so many words together take: long fractions are reduced, which
     /// takes the square of their length.
     pub const fn steps(products: usize, words: usize) -> usize {
-        if words <= 2 { 1 + products / 8 } else { 1 + products.saturating_mul(words * words / 8 + 1) }
+        if words <= 2 { 1 + products / 8 } else { 1 + products.saturating_mul(words * words + 4) }
     }
 
     pub fn is_zero(&self) -> bool {

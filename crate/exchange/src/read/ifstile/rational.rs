@@ -141,6 +141,7 @@ impl Rational {
                 let [a, b, c, d] = [a, b, c, d].map(|part| i128::from(*part));
                 Self::quotient(a * d + c * b, b * d)
             }
+            _ if self.is_whole() && other.is_whole() => Self::of_whole(self.numerator() + other.numerator()),
             _ => Self::of(self.ratio() + other.ratio()),
         }
     }
@@ -155,8 +156,28 @@ impl Rational {
                 let [a, b, c, d] = [a, b, c, d].map(|part| i128::from(*part));
                 Self::quotient(a * c, b * d)
             }
+            _ if self.is_whole() && other.is_whole() => Self::of_whole(self.numerator() * other.numerator()),
             _ => Self::of(self.ratio() * other.ratio()),
         }
+    }
+
+    fn is_whole(&self) -> bool {
+        match self {
+            Self::Small(_, under) => *under == 1,
+            Self::Large(ratio) => ratio.is_integer(),
+        }
+    }
+
+    fn numerator(&self) -> BigInt {
+        match self {
+            Self::Small(over, _) => BigInt::from(*over),
+            Self::Large(ratio) => ratio.numer().clone(),
+        }
+    }
+
+    /// Whole numbers need no reducing, which takes long.
+    fn of_whole(x: BigInt) -> Self {
+        x.to_i64().map_or_else(|| Self::Large(Box::new(Ratio::from_integer(x))), Self::whole)
     }
 
     /// One divided by it; none of zero.

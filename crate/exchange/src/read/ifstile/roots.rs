@@ -4,6 +4,7 @@
 
 use std::cmp::Ordering;
 
+use num_bigint::BigInt;
 use num_rational::Ratio;
 use num_traits::{One, ToPrimitive, Zero};
 
@@ -54,6 +55,9 @@ pub fn roots(polynomial: &[Rational]) -> Option<Vec<Root>> {
 
 /// The factors whose roots are simple, each with how often it divides the polynomial (Yun, in the plain form).
 fn square_free(polynomial: &[Rational]) -> Vec<(Polynomial, usize)> {
+    if simple_modulo(polynomial) {
+        return vec![(polynomial.to_vec(), 1)];
+    }
     let mut parts = Vec::new();
     let mut rest = monic(polynomial.to_vec());
     let mut common = divisor(&rest, &derivative(&rest));
@@ -70,6 +74,47 @@ fn square_free(polynomial: &[Rational]) -> Vec<(Polynomial, usize)> {
         multiplicity += 1;
     }
     parts
+}
+
+/// Whether a monic polynomial has simple roots modulo a prime: then it has them. This saves long fractions.
+pub fn simple_modulo(polynomial: &[Rational]) -> bool {
+    const PRIME: u64 = (1 << 61) - 1;
+    let times = |x: u64, y: u64| (u128::from(x) * u128::from(y) % u128::from(PRIME)) as u64;
+    let inverse = |x: u64| {
+        let (mut power, mut square, mut left) = (1, x, PRIME - 2);
+        while left > 0 {
+            if left % 2 == 1 {
+                power = times(power, square);
+            }
+            square = times(square, square);
+            left /= 2;
+        }
+        power
+    };
+    let rest = |x: &BigInt| ((x % PRIME + PRIME) % PRIME).to_u64().unwrap_or(0);
+    let of = |x: &Rational| {
+        let ratio = x.ratio();
+        let under = rest(ratio.denom());
+        (under != 0).then(|| times(rest(ratio.numer()), inverse(under)))
+    };
+    let Some(mut one) = polynomial.iter().map(of).collect::<Option<Vec<u64>>>() else { return false };
+    let mut other: Vec<u64> = one.iter().zip(0..).skip(1).map(|(&x, k)| times(x, k)).collect();
+    loop {
+        while other.last() == Some(&0) {
+            other.pop();
+        }
+        let Some(&lead) = other.last() else { return one.len() == 1 };
+        let by = inverse(lead);
+        while one.len() >= other.len() {
+            let factor = times(one[one.len() - 1], by);
+            let start = one.len() - other.len();
+            for (x, &y) in one[start..].iter_mut().zip(&other) {
+                *x = (*x + PRIME - times(factor, y)) % PRIME;
+            }
+            one.pop();
+        }
+        std::mem::swap(&mut one, &mut other);
+    }
 }
 
 fn derivative(of: &[Rational]) -> Polynomial {
@@ -224,7 +269,7 @@ fn radius(of: &[Rational], at: &Complex, all: &[Complex]) -> Option<Fixed> {
 /// and taken where they divide.
 fn factor_of(of: &[Rational], roots: &[Complex], root: &Complex) -> Polynomial {
     // Scaled by the common denominator, roots are algebraic integers, and factors have whole coefficients.
-    let scale = of.iter().fold(num_bigint::BigInt::one(), |scale, x| {
+    let scale = of.iter().fold(BigInt::one(), |scale, x| {
         let under = x.ratio().denom().clone();
         let rest = &scale % &under;
         if rest.is_zero() { scale } else { scale * under }
@@ -308,6 +353,18 @@ mod tests {
         let all = found(&[-1, 1, 1, 1]);
         assert!(all[0].1 > 1.0 && all[1].1 == 0.0);
         assert!((all[1].0 - 0.543_689_012_692_076_4).abs() < 1e-15);
+    }
+
+    #[test]
+    fn what_is_simple_modulo_a_prime_is_simple() {
+        assert!(simple_modulo(&whole(&[-2, 0, 1])) && simple_modulo(&whole(&[5, 1])));
+        assert!(simple_modulo(&whole(&[4, 0, 0, 0, 1])));
+        // (x - 1)^2, (x^2 - 2)^2 (x - 3), x^3.
+        assert!(!simple_modulo(&whole(&[1, -2, 1])) && !simple_modulo(&whole(&[-12, 4, 12, -4, -3, 1])));
+        assert!(!simple_modulo(&whole(&[0, 0, 0, 1])));
+        // Of (x - 1/3) (x + 1/3) and of (x - 1/3)^2.
+        let of = |k: i64, j: i64| [Rational::fraction(k, 9), Rational::fraction(j, 3), Rational::ONE];
+        assert!(simple_modulo(&of(-1, 0)) && !simple_modulo(&of(1, -2)));
     }
 
     #[test]

@@ -61,8 +61,8 @@ impl<'a> Machine<'_, 'a> {
         Ok(Sets { all: those(&is_set), returning: those(&returning) })
     }
 
-    /// The graph of the sets that one of them is made of.
-    pub fn graph(&mut self, sets: &Sets<'a>, root: &'a str) -> Result<Graph<'a>, ImportError> {
+    /// The graph of the sets that one of them is made of; none of what is no set, such as a list of sets.
+    pub fn graph(&mut self, sets: &Sets<'a>, root: &'a str) -> Result<Option<Graph<'a>>, ImportError> {
         let numbers = sets.returning.iter().enumerate().map(|(k, &name)| (name, k)).collect();
         let at = self.frames.len() - 1;
         self.frames[at].sets = numbers;
@@ -77,13 +77,7 @@ impl<'a> Machine<'_, 'a> {
             }
             None => match self.variable(root)? {
                 Some(Value::Images(images)) => images,
-                _ => {
-                    self.line = line;
-                    let root = short(root, 20);
-                    return self.fail(format!(
-                        "“{root}” is no set. Name one that is made of images of sets, as in S=(f|g)*S."
-                    ));
-                }
+                _ => return Ok(None),
             },
         };
         // Another name of a set is that set.
@@ -113,7 +107,7 @@ impl<'a> Machine<'_, 'a> {
         for image in graph.states.iter_mut().flatten() {
             image.set = place[&image.set];
         }
-        self.without_empty(graph)
+        self.without_empty(graph).map(Some)
     }
 
     /// The images that a set is the union of.

@@ -9,9 +9,10 @@ use super::affine::Affine;
 use super::machine::Machine;
 use super::number::Number;
 use super::rational::Rational;
+use super::roots::simple_modulo;
 use super::sets::Graph;
 use super::similar::{product, similar};
-use super::subspace::{Drawn, Projection};
+use super::subspace::{Drawn, Projection, polynomial};
 use super::value::{Image, Value};
 use crate::ambient::{Ambient, AmbientMap};
 use crate::read::problem::ImportError;
@@ -104,8 +105,14 @@ impl<'a> Machine<'_, 'a> {
         if chosen.is_empty() {
             return self.fail("$subspace names no cells of its matrix. Name one: $subspace=[M,0].");
         }
-        self.charge(Number::steps(800 * matrix.size.pow(3), 2 * matrix.words()))?;
-        Projection::new(&matrix, &chosen).map(Some).or_else(|why| self.fail(why))
+        self.charge(100 * matrix.size.pow(3) * matrix.words())?;
+        let polynomial = self.told(polynomial(&matrix))?;
+        if !simple_modulo(&polynomial) {
+            // How often which root is one is found by way of longer fractions.
+            let words = polynomial.iter().map(|x| Number::Exact(x.clone()).words()).max().unwrap_or(1);
+            self.charge(Number::steps(10 * matrix.size.pow(3), words))?;
+        }
+        Projection::new(&matrix, &polynomial, &chosen).map(Some).or_else(|why| self.fail(why))
     }
 
     fn drawn(&self, map: &Affine, projection: Option<&Projection>) -> Result<Option<Drawn>, ImportError> {

@@ -9,7 +9,7 @@ use num_rational::Ratio;
 
 use super::affine::Affine;
 use super::fixed::{Complex, Fixed};
-use super::number::Number;
+use super::number::{Number, Outcome};
 use super::rational::Rational;
 use super::roots::{Root, roots};
 use crate::ambient::{Cell, Subspace};
@@ -30,18 +30,11 @@ pub struct Projection {
 pub type Drawn = (Vec<f64>, Vec<f64>);
 
 impl Projection {
-    /// Chooses cells of a matrix.
-    pub fn new(matrix: &Affine, chosen: &[i64]) -> Result<Self, String> {
+    /// Chooses cells of a matrix, whose characteristic polynomial is given.
+    pub fn new(matrix: &Affine, polynomial: &[Rational], chosen: &[i64]) -> Result<Self, String> {
         let rational: Vec<Rational> =
             matrix.matrix.iter().map(Number::rational).collect::<Result<_, _>>().map_err(String::from)?;
-        let entries: Vec<Number> = rational.iter().cloned().map(Number::Exact).collect();
-        let exact = Affine { matrix: entries, ..matrix.clone() };
-        let mut polynomial: Vec<Rational> = exact
-            .characteristic()
-            .and_then(|lower| lower.iter().map(Number::rational).collect())
-            .map_err(String::from)?;
-        polynomial.push(Rational::ONE);
-        let found = roots(&polynomial).ok_or(
+        let found = roots(polynomial).ok_or(
             "The eigenvalues of the matrix of $subspace cannot be found: its numbers are too large.",
         )?;
         let cells: Vec<(usize, usize)> = found
@@ -54,8 +47,12 @@ impl Projection {
         let mut taken: Vec<usize> = Vec::new();
         for &index in chosen {
             let at = usize::try_from(index).ok().filter(|&at| at < cells.len()).ok_or_else(|| {
-                let last = cells.len() - 1;
-                format!("$subspace asks for cell {index} of its matrix, whose cells are 0 to {last}. Choose among them.")
+                match cells.len() - 1 {
+                    0 => format!("$subspace asks for cell {index} of its matrix, whose only cell is 0. Choose it."),
+                    last => format!(
+                        "$subspace asks for cell {index} of its matrix, whose cells are 0 to {last}. Choose among them."
+                    ),
+                }
             })?;
             if taken.contains(&at) {
                 return Err(format!("$subspace names cell {index} twice. Name it once."));
@@ -141,6 +138,15 @@ impl Projection {
         let shift = self.rows.iter().map(|row| rounded(&dot(row, &shift))).collect();
         Some((matrix, shift))
     }
+}
+
+/// The characteristic polynomial of a matrix, whose doubles mean what they are.
+pub fn polynomial(matrix: &Affine) -> Outcome<Vec<Rational>> {
+    let exact = matrix.matrix.iter().map(|x| x.rational().map(Number::Exact)).collect::<Outcome<_>>()?;
+    let lower = Affine { matrix: exact, ..matrix.clone() }.characteristic()?;
+    let mut polynomial: Vec<Rational> = lower.iter().map(Number::rational).collect::<Outcome<_>>()?;
+    polynomial.push(Rational::ONE);
+    Ok(polynomial)
 }
 
 fn sum(of: impl Iterator<Item = Fixed>) -> Fixed {
