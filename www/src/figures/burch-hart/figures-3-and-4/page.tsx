@@ -3,6 +3,7 @@ import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import type { MapRow, Mode } from "#wasm/api";
+import { loadProof, prover } from "#wasm/proof";
 import { Plot } from "../../kit/chart/plot";
 import { QUARTERS } from "../../kit/chart/scale";
 import { Frame, type Heading } from "../../kit/frame/frame";
@@ -20,6 +21,8 @@ import { Time, useTime } from "../../kit/time/time";
 import { SAMPLES, useStates, useVerdict } from "../../kit/workers";
 
 const FRAMES = 9;
+/** Bounds that take some milliseconds. */
+const NEAR = { tolerance: 1e-3, budget: 100_000 };
 const ENDS: Ends = { from: turnedGasket(), to: gasket(0.5) };
 const MODES: readonly { mode: Mode; number: string; caption: string; short: string }[] = [
   {
@@ -50,6 +53,9 @@ function turnedAt([, ...others]: MapRow[], [e, f]: [number, number]): MapRow[] {
   return [[-0.5, 0, 0, -0.5, e, f], ...others];
 }
 
+/** What the page needs before it is drawn. */
+export const needs = [loadProof];
+
 /** Linear beside polar interpolation. */
 export function Page(heading: Heading) {
   const time = useTime(0.35);
@@ -68,7 +74,8 @@ export function Page(heading: Heading) {
           numbers one by one and it shrinks to a point half-way, where its determinant is 0. Split it into a
           turn and a stretch, blend these, and it swings round at its full size. By Theorem 1 (Barnsley 1988)
           neither jumps: where the maps change continuously with a bounded parameter, and shrink all the
-          while, so does the shape. That it stays in one piece is not said by it.
+          while, so does the shape: its Hausdorff distance from the first frame changes without a jump. That
+          it stays in one piece is not said by it.
         </p>
       }
       found={<Found linear={linear} polar={polar} others={[middle, right]} />}
@@ -127,6 +134,7 @@ function Side({ mode, number, short, t, box }: SideProps) {
   const maps = useMemo(() => mapsAt(ENDS, [t, t], mode), [mode, t]);
   const judged = useVerdict(maps);
   const det = maps[0] ? determinant(maps[0]) : 0;
+  const moved = useMemo(() => prover().hausdorffDistance({ maps: ENDS.from }, { maps }, NEAR), [maps]);
   return (
     <Panel
       name={number}
@@ -136,6 +144,12 @@ function Side({ mode, number, short, t, box }: SideProps) {
           <VerdictChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
           <span class="number">
             determinant of map 1: <strong>{fixed(det, 3)}</strong>
+          </span>
+          <span class="number">
+            Hausdorff distance from t = 0:{" "}
+            <strong>
+              {fixed(moved.lower, 3)} to {fixed(moved.upper, 3)}
+            </strong>
           </span>
         </>
       }
