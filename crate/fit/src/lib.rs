@@ -97,8 +97,8 @@ pub use hough::{
     share_cells,
 };
 pub use outline::{
-    Fidelity, Guard, MAX_OUTLINE, MAX_PREPARED, Near, Nearest, Outline, OutlineError, contacts, crossings,
-    decimated, features, fidelity,
+    Fidelity, Guard, MAX_OUTLINE, MAX_PREPARED, Near, Nearest, Outline, OutlineError, box_slope, contacts,
+    crossings, decimated, features, fidelity,
 };
 pub use preset::{CurvePreset, curve_preset, curve_presets};
 #[cfg(feature = "svg")]

@@ -6,7 +6,7 @@
 //! # In which order to read it
 //!
 //! 1. `cross`: errors, maps, and how the lock of the interpreter is released while something is computed.
-//! 2. `shape` shows best how a function is exported; `verdict`, `morph`, `way` and `document` are a file
+//! 2. `shape` shows best how a function is exported; `verdict`, `morph`, `way`, `document` and `fit` are a file
 //!    for what belongs together.
 //! 3. `elementary`: sine and its like, the same on every machine.
 #![allow(clippy::missing_errors_doc)]
@@ -15,6 +15,7 @@ mod cross;
 mod document;
 #[cfg(unix)]
 mod elementary;
+mod fit;
 mod morph;
 mod shape;
 mod verdict;
@@ -31,6 +32,8 @@ mod _frond {
 
     #[pymodule_export]
     use super::document::{decode, encode, presets};
+    #[pymodule_export]
+    use super::fit::{fit_bytes, fit_numbers, measure, trace};
     #[pymodule_export]
     use super::morph::{interpolate, pair};
     #[pymodule_export]

@@ -14,9 +14,11 @@ JavaScript, bit for bit. While something is computed, other threads go on.
 
 from ._errors import FrondError
 from ._frond import __version__
+from ._fit import Curve, Edge, Figures, fit_curve
 from ._ifs import Box, Ifs, Points, Preset, presets
 from ._link import Linked, link, open_link
 from ._morph import Morph
+from ._outline import Measures, Outline, Warned, measure, trace
 from ._verdict import Check, Verdict, certificate, check, connectedness
 from ._way import STATES, Locus, Path, PathCheck, PathProof, certify_path, check_path, locus, plan_path
 
@@ -24,27 +26,36 @@ __all__ = [
     "STATES",
     "Box",
     "Check",
+    "Curve",
+    "Edge",
+    "Figures",
     "FrondError",
     "Ifs",
     "Linked",
     "Locus",
+    "Measures",
     "Morph",
+    "Outline",
     "Path",
     "PathCheck",
     "PathProof",
     "Points",
     "Preset",
     "Verdict",
+    "Warned",
     "certificate",
     "certify_path",
     "check",
     "check_path",
     "connectedness",
+    "fit_curve",
     "link",
     "locus",
+    "measure",
     "open_link",
     "plan_path",
     "presets",
+    "trace",
 ]
 
 # What its users see, in errors and in `help`, is named as they import it.

@@ -8,6 +8,7 @@ import numpy.typing as npt
 _Rows = npt.NDArray[np.float64]
 _Asked = tuple[_Rows, _Rows, tuple[bool, list[int], list[int]]]
 _Looking = tuple[Optional[float], Optional[int]]
+_Figures = tuple[float, float, float, float, float]
 _Path = list[tuple[float, float, float]]
 
 __version__: str
@@ -76,3 +77,19 @@ def certify_path(
     stretch: tuple[float, float],
     budget: Optional[int],
 ) -> tuple[float, bool, int, float, bool, int]: ...
+def trace(
+    pixels: npt.NDArray[np.uint8], size: tuple[int, int], threshold: float, stalk: bool, component: int
+) -> tuple[npt.NDArray[np.float64], float, float, list[tuple[str, str]]]: ...
+def measure(outline: _Rows) -> tuple[npt.NDArray[np.float64], float, float, float]: ...
+def fit_numbers(
+    outline: _Rows, numbers: int
+) -> tuple[
+    npt.NDArray[np.float64],
+    list[Optional[tuple[int, int, bool, float]]],
+    npt.NDArray[np.float64],
+    _Figures,
+    int,
+]: ...
+def fit_bytes(
+    outline: _Rows, bytes: int
+) -> tuple[str, bytes, int, int, npt.NDArray[np.float64], _Figures]: ...
