@@ -124,7 +124,7 @@ fn places(value: &Value, way: &str, found: &mut Vec<String>) {
             items.iter().enumerate().for_each(|(k, item)| places(item, &format!("{way}/{k}"), found));
         }
         Value::Object(items) => {
-            items.iter().for_each(|(name, item)| places(item, &format!("{way}/{name}"), found))
+            items.iter().for_each(|(name, item)| places(item, &format!("{way}/{name}"), found));
         }
         _ => {}
     }
