@@ -1,0 +1,8 @@
+//! Systems of affine maps with exact numbers.
+
+pub(crate) mod build;
+pub(crate) mod frame;
+pub(crate) mod projected;
+pub(crate) mod real;
+pub(crate) mod space;
+pub(crate) mod sizes;
