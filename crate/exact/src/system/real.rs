@@ -109,6 +109,11 @@ impl Square {
         if least.is_finite() { least } else { power.largest_row().sqrt().next_up() }
     }
 
+    /// As [`Square::norm`], by one step: exact for similarities.
+    pub fn quick_norm(&self) -> f64 {
+        self.gram().largest_row().sqrt().next_up()
+    }
+
     fn largest_row(&self) -> f64 {
         let rows = self.rows.iter().take(self.dimension);
         rows.map(|row| row.iter().fold(Interval::ZERO, |sum, x| sum + x.abs()).upper()).fold(0.0, f64::max)

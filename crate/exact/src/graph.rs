@@ -1,0 +1,6 @@
+//! Which pieces meet, and what follows from it.
+
+pub(crate) mod analysis;
+pub(crate) mod growth;
+pub(crate) mod neighbours;
+pub(crate) mod types;
