@@ -11,9 +11,7 @@ mod number;
 mod system;
 
 pub use error::ExactError;
-pub use graph::analysis::{
-    Analysis, Boundary, Dimension, OpenSetCondition, Reason, Settings, analyze,
-};
+pub use graph::analysis::{Analysis, Boundary, Dimension, OpenSetCondition, Reason, Settings, analyze};
 pub use graph::neighbours::Overlap;
 pub use num_bigint::BigInt;
 pub use number::field::{Element, Field, LARGEST_FIELD};
@@ -23,3 +21,7 @@ pub use number::roots::{ComplexInterval, Root};
 pub use number::value::Number;
 pub use system::build::{DoubleMap, FieldMap, MOST_MAPS, MOST_STATES, RealMap, System};
 pub use system::projected::VectorMap;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadMe;

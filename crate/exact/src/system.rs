@@ -4,5 +4,5 @@ pub(crate) mod build;
 pub(crate) mod frame;
 pub(crate) mod projected;
 pub(crate) mod real;
-pub(crate) mod space;
 pub(crate) mod sizes;
+pub(crate) mod space;

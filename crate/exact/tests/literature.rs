@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use frond_exact::{Analysis, Element, FieldMap, Number, OpenSetCondition, Reason, Settings, System, analyze};
+use frond_exact::{
+    Analysis, BigInt, ComplexInterval, Element, Field, FieldMap, Interval, Number, OpenSetCondition, Reason,
+    Settings, System, analyze,
+};
 
 /// An iterated function system of the plane or a line, as `factor | shift` in formulas.
 fn system(maps: &[(&str, &str, bool)]) -> System {
@@ -58,13 +61,15 @@ fn dragon() -> f64 {
 
 #[test]
 fn curves_and_dusts_have_the_dimension_of_moran() {
-    let gasket = found(&system(&[("1/2", "0", false), ("1/2", "1/2", false), ("1/2", "(1+i*sqrt(3))/4", false)]));
+    let gasket =
+        found(&system(&[("1/2", "0", false), ("1/2", "1/2", false), ("1/2", "(1+i*sqrt(3))/4", false)]));
     assert_eq!(gasket.open_set_condition, OpenSetCondition::Yes);
     assert_eq!(gasket.neighbours, Some(6));
     assert_eq!((gasket.has_inner_points, gasket.boundary.is_none()), (Some(false), true));
     assert_dimension(&gasket, 3f64.ln() / 2f64.ln());
 
-    let koch = [("1/3", "0"), ("(1+i*sqrt(3))/6", "1/3"), ("(1-i*sqrt(3))/6", "1/2+i*sqrt(3)/6"), ("1/3", "2/3")];
+    let koch =
+        [("1/3", "0"), ("(1+i*sqrt(3))/6", "1/3"), ("(1-i*sqrt(3))/6", "1/2+i*sqrt(3)/6"), ("1/3", "2/3")];
     let koch = found(&system(&koch.map(|(a, b)| (a, b, false))));
     assert_eq!(koch.open_set_condition, OpenSetCondition::Yes);
     assert_dimension(&koch, 4f64.ln() / 3f64.ln());
@@ -96,15 +101,18 @@ fn dragons_have_their_boundaries() {
     assert_tile(&heighway, dragon(), None);
     // Duvall & Keesling 1999: 1.934007183.
     let levy = found(&system(&[("(1+i)/2", "0", false), ("(1-i)/2", "(1+i)/2", false)]));
-    assert_tile(&levy, levy.boundary.as_ref().map_or(0.0, |boundary| boundary.dimension.value), None);
+    assert_eq!((levy.open_set_condition, levy.has_inner_points), (OpenSetCondition::Yes, Some(true)));
     assert!((levy.boundary.unwrap().dimension.value - 1.934_007_183).abs() < 1e-8);
 }
 
 #[test]
 fn islands_of_the_triangular_lattice() {
     // The terdragon: log 4 / log 3.
-    let terdragon =
-        [("(3+i*sqrt(3))/6", "0"), ("-i*sqrt(3)/3", "(3+i*sqrt(3))/6"), ("(3+i*sqrt(3))/6", "(3-i*sqrt(3))/6")];
+    let terdragon = [
+        ("(3+i*sqrt(3))/6", "0"),
+        ("-i*sqrt(3)/3", "(3+i*sqrt(3))/6"),
+        ("(3+i*sqrt(3))/6", "(3-i*sqrt(3))/6"),
+    ];
     assert_tile(&found(&system(&terdragon.map(|(a, b)| (a, b, false)))), 4f64.ln() / 3f64.ln(), None);
     // Gosper's island: seven parts on a hexagonal lattice, 2 log 3 / log 7.
     let w = "(5-i*sqrt(3))/14";
@@ -144,4 +152,29 @@ fn a_search_without_end_ends_by_its_budget() {
     assert!(!analysis.dimension.unwrap().is_proved);
     let stopped = analyze(&system, Settings::default(), |pairs| pairs < 100).unwrap();
     assert!(matches!(stopped.reasons[0], Reason::BudgetSpent { pairs } if pairs < 1000));
+}
+
+#[test]
+fn the_tile_of_rauzy_has_its_boundary() {
+    // The roots of x^3 - x^2 - x - 1; the boundary: 2 log x / log 1.8392867 with x^4 = 2 x + 1 (Ito & Kimura 1991).
+    let within = ComplexInterval { re: Interval::new(-1.0, 0.0), im: Interval::new(0.1, 1.0) };
+    let field = Arc::new(Field::of_root(&[-1, -1, -1, 1].map(BigInt::from), within).unwrap());
+    let x = (0..200).fold(1.4f64, |x, _| x.mul_add(2.0, 1.0).sqrt().sqrt());
+    let known = 2.0 * x.ln() / 1.839_286_755_214_161f64.ln();
+    assert!((known - 1.0933).abs() < 1e-4);
+    let (a, one, zero) = (field.generator(), field.one(), field.zero());
+    let power = |k| field.power(&a, k).unwrap();
+    let map = |from, factor: Element, shift: &Element| FieldMap {
+        from,
+        factor,
+        shift: shift.clone(),
+        is_conjugated: false,
+    };
+    let whole =
+        vec![map(0, power(1), &zero), map(0, power(2), &one), map(0, power(3), &field.plus(&a, &one))];
+    assert_tile(&found(&System::of_numbers(&field, &[whole]).unwrap()), known, None);
+    // The substitution 1 -> 12, 2 -> 13, 3 -> 1.
+    let first = (0..3).map(|from| map(from, a.clone(), &zero)).collect();
+    let states = [first, vec![map(0, a.clone(), &one)], vec![map(1, a.clone(), &one)]];
+    assert_tile(&found(&System::of_numbers(&field, &states).unwrap()), known, None);
 }

@@ -194,7 +194,12 @@ pub fn analyze(
 fn of_bounds((lower, upper): (f64, f64), space: usize, is_proved: bool) -> Dimension {
     let upper = upper.min(space as f64);
     let lower = lower.min(upper);
-    Dimension { value: f64::midpoint(lower, upper), lower: if is_proved { lower } else { 0.0 }, upper, is_proved }
+    Dimension {
+        value: f64::midpoint(lower, upper),
+        lower: if is_proved { lower } else { 0.0 },
+        upper,
+        is_proved,
+    }
 }
 
 /// The states that state 0 is made of.
@@ -221,7 +226,7 @@ fn ratio(system: &System, edge: &Edge) -> Option<Interval> {
     match &edge.scaling {
         Scaling::Similar(Some(square)) => Some(square.enclosure().re.sqrt()),
         Scaling::Similar(None) => Some(system.space.action(&edge.linear).gram().rows[0][0].sqrt()),
-        Scaling::Other(_) => None,
+        Scaling::Other => None,
     }
 }
 
@@ -239,7 +244,7 @@ fn weighted(system: &System) -> Option<Vec<Weighted>> {
 fn squares(system: &System) -> Option<Vec<Number>> {
     let square = |edge: &Edge| match &edge.scaling {
         Scaling::Similar(square) => square.clone(),
-        Scaling::Other(_) => None,
+        Scaling::Other => None,
     };
     system.states.iter().flatten().map(square).collect()
 }
@@ -267,7 +272,8 @@ fn is_full(system: &System) -> Result<bool, ExactError> {
     let (field, elements) = Number::in_one_field(&powers)?;
     let n = system.states.len();
     let mut matrix = vec![vec![field.zero(); n]; n];
-    let edges = system.states.iter().enumerate().flat_map(|(i, edges)| edges.iter().map(move |edge| (i, edge.from)));
+    let edges =
+        system.states.iter().enumerate().flat_map(|(i, edges)| edges.iter().map(move |edge| (i, edge.from)));
     for ((i, j), power) in edges.zip(&elements) {
         matrix[i][j] = field.plus(&matrix[i][j], power);
     }

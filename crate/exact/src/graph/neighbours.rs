@@ -15,11 +15,10 @@ use crate::system::build::System;
 use crate::system::frame::Frame;
 use crate::system::real::{distance, plus};
 
-/// What becomes of a pair where its pieces are cut. A side that stays whole has no edge.
+/// What becomes of a pair where its pieces are cut: the edge of the first piece, unless that stays whole.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     pub first: Option<usize>,
-    pub second: Option<usize>,
     pub to: usize,
 }
 
@@ -27,7 +26,6 @@ pub(crate) struct Step {
 #[derive(Clone, Debug)]
 pub(crate) struct Node {
     pub first: usize,
-    pub second: usize,
     pub is_same: bool,
     pub steps: Vec<Step>,
     /// How it was first found.
@@ -98,7 +96,7 @@ impl Graph {
             found.insert(key.clone(), state);
             keys.push(key);
             relative.push(0.0);
-            nodes.push(Node { first: state, second: state, is_same: true, steps: Vec::new(), parent: None });
+            nodes.push(Node { first: state, is_same: true, steps: Vec::new(), parent: None });
         }
         let (mut overlap, mut is_complete, mut next) = (None, true, 0);
         'all: while next < nodes.len() {
@@ -127,7 +125,12 @@ impl Graph {
                         Some(k) => {
                             let inverse = &inverses[a][k];
                             let moved = sum(&inverse.linear.apply(&shift_b), &inverse.shift);
-                            (system.states[a][k].from, inverse.linear.times(&linear_b), moved, size_b - sizes[a][k])
+                            (
+                                system.states[a][k].from,
+                                inverse.linear.times(&linear_b),
+                                moved,
+                                size_b - sizes[a][k],
+                            )
                         }
                         None => (to_b, linear_b.clone(), shift_b.clone(), size_b),
                     };
@@ -140,7 +143,7 @@ impl Graph {
                     let to = known.unwrap_or_else(|| {
                         let to = nodes.len();
                         let parent = Some((next, first, second));
-                        nodes.push(Node { first: to_a, second: to_b, is_same: false, steps: Vec::new(), parent });
+                        nodes.push(Node { first: to_a, is_same: false, steps: Vec::new(), parent });
                         relative.push(size);
                         keys.push(key.clone());
                         found.insert(key, to);
@@ -150,7 +153,7 @@ impl Graph {
                     if is_overlap && overlap.is_none() {
                         overlap = Some(words(&nodes, next, first, second));
                     }
-                    nodes[next].steps.push(Step { first, second, to });
+                    nodes[next].steps.push(Step { first, to });
                     if nodes.len() > budget {
                         is_complete = false;
                         break 'all;
@@ -189,7 +192,8 @@ impl Graph {
 }
 
 fn words(nodes: &[Node], at: usize, first: Option<usize>, second: Option<usize>) -> Overlap {
-    let (mut one, mut other): (Vec<usize>, Vec<usize>) = (first.into_iter().collect(), second.into_iter().collect());
+    let (mut one, mut other): (Vec<usize>, Vec<usize>) =
+        (first.into_iter().collect(), second.into_iter().collect());
     let mut at = at;
     while let Some((parent, first, second)) = nodes[at].parent {
         one.extend(first);

@@ -49,7 +49,8 @@ fn of_squarefree(f: Vec<BigInt>) -> Result<Vec<Vec<BigInt>>, ExactError> {
             .then(|| (prime, modular::factors(&residues, prime)))
     };
     let found = PRIMES.into_iter().filter_map(suits).take(MOST_COMPARED);
-    let (prime, modular) = found.min_by_key(|(_, factors)| factors.len()).ok_or(ExactError::FactoringTooHard)?;
+    let (prime, modular) =
+        found.min_by_key(|(_, factors)| factors.len()).ok_or(ExactError::FactoringTooHard)?;
     if modular.len() == 1 {
         return Ok(vec![f]);
     }

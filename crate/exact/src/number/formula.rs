@@ -119,7 +119,10 @@ impl Reader<'_> {
                         Part::Angle((&t / divisor).ok_or(ExactError::DivisionByZero)?)
                     }
                 };
-            } else if self.rest.starts_with(|c: char| c == '(' || "√πφ".contains(c) || c.is_ascii_alphabetic()) {
+            } else if self
+                .rest
+                .starts_with(|c: char| c == '(' || "√πφ".contains(c) || c.is_ascii_alphabetic())
+            {
                 let next = self.power()?;
                 product = self.multiplied(product, next)?;
             } else {
@@ -256,7 +259,8 @@ impl Reader<'_> {
                 length += 1 + sign + count;
             }
         }
-        let power = Some(exponent).filter(|e: &i32| e.abs() <= LARGEST_EXPONENT).ok_or(self.inexact())? - places;
+        let power =
+            Some(exponent).filter(|e: &i32| e.abs() <= LARGEST_EXPONENT).ok_or(self.inexact())? - places;
         self.skip(length);
         let scale = Rational::whole(10).power(power).ok_or(ExactError::DivisionByZero)?;
         Ok(Part::Number((&Rational::from(whole) * &scale).into()))

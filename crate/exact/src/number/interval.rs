@@ -254,8 +254,11 @@ impl Mul for Interval {
         if all.iter().any(|x| x.is_nan()) {
             return Self::everything();
         }
-        Self::new(all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max))
-            .wider()
+        Self::new(
+            all.into_iter().fold(f64::INFINITY, f64::min),
+            all.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        )
+        .wider()
     }
 }
 
@@ -288,8 +291,11 @@ impl Interval {
         if self == Self::ZERO {
             return Self::ZERO;
         }
-        Self::new(all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max))
-            .wider()
+        Self::new(
+            all.into_iter().fold(f64::INFINITY, f64::min),
+            all.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        )
+        .wider()
     }
 }
 
@@ -307,7 +313,10 @@ mod tests {
             (Interval::point(-20.0).exp(), 2.061_153_622_438_558e-9),
             (Interval::point(2.0).power(Interval::point(0.5)), std::f64::consts::SQRT_2),
         ] {
-            assert!(found.lower() <= known.next_up() && known.next_down() <= found.upper(), "{known} {found:?}");
+            assert!(
+                found.lower() <= known.next_up() && known.next_down() <= found.upper(),
+                "{known} {found:?}"
+            );
             assert!(found.width() < 1e-13 * known.abs(), "{known} {found:?}");
         }
     }

@@ -38,12 +38,6 @@ impl Matrix {
         (0..self.size).map(|row| self.entries[row * self.size + k].clone()).collect()
     }
 
-    pub fn is_identity(&self) -> bool {
-        let is_right =
-            |k: usize, x: &Rational| if k / self.size == k % self.size { x.is_one() } else { x.is_zero() };
-        self.entries.iter().enumerate().all(|(k, x)| is_right(k, x))
-    }
-
     pub fn apply(&self, vector: &[Rational]) -> Vec<Rational> {
         (0..self.size).map(|k| dot(self.row(k), vector)).collect()
     }

@@ -146,7 +146,8 @@ fn fixed(f: &[u64], prime: u64) -> Vec<Residues> {
         power = divided(&product(&power, &step, prime), f, prime).1;
     }
     // The kernel of the transpose: combinations of rows that vanish.
-    let mut combinations: Vec<Residues> = (0..n).map(|k| (0..n).map(|j| u64::from(j == k)).collect()).collect();
+    let mut combinations: Vec<Residues> =
+        (0..n).map(|k| (0..n).map(|j| u64::from(j == k)).collect()).collect();
     let mut used = vec![false; n];
     for column in 0..n {
         let Some(pivot) = (0..n).find(|&k| !used[k] && rows[k][column] != 0) else { continue };
@@ -157,7 +158,8 @@ fn fixed(f: &[u64], prime: u64) -> Vec<Residues> {
             if factor != 0 {
                 for j in 0..n {
                     rows[k][j] = (rows[k][j] + (prime - factor) * rows[pivot][j]) % prime;
-                    combinations[k][j] = (combinations[k][j] + (prime - factor) * combinations[pivot][j]) % prime;
+                    combinations[k][j] =
+                        (combinations[k][j] + (prime - factor) * combinations[pivot][j]) % prime;
                 }
             }
         }

@@ -4,7 +4,6 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
-use crate::number::interval::Interval;
 use crate::number::rational::Rational;
 
 /// A polynomial with fractions for coefficients. The last is not zero; the zero polynomial has none.
@@ -107,10 +106,6 @@ impl Polynomial {
 
     pub fn at(&self, x: &Rational) -> Rational {
         self.0.iter().rev().fold(Rational::ZERO, |sum, c| &(&sum * x) + c)
-    }
-
-    pub fn around(&self, x: Interval) -> Interval {
-        self.0.iter().rev().fold(Interval::ZERO, |sum, c| sum * x + c.enclosure())
     }
 
     /// The same roots with whole coefficients that have no common divisor, the leading one positive.

@@ -315,6 +315,8 @@ mod tests {
         assert_eq!((-&lowest).to_string(), "9223372036854775808");
         assert_eq!(-&-&lowest, lowest);
         let around = square.enclosure();
-        assert!(around.lower() <= around.upper() && (around.middle() / 8.507059173023462e37 - 1.0).abs() < 1e-15);
+        assert!(
+            around.lower() <= around.upper() && (around.middle() / 8.507059173023462e37 - 1.0).abs() < 1e-15
+        );
     }
 }

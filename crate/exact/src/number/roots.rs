@@ -238,7 +238,10 @@ mod tests {
         assert!(found[0].place.re.width() < 1e-15);
         assert!((found[2].place.square_size().sqrt().middle() - 0.737_352_705_760_327).abs() < 1e-13);
         assert!(found[2].place.im.width() < 1e-12);
-        assert!(of(&[-1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1]).unwrap().iter().filter(|root| root.is_real).count() == 2);
+        assert!(
+            of(&[-1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1]).unwrap().iter().filter(|root| root.is_real).count()
+                == 2
+        );
         assert_eq!(of(&[3]), Err(ExactError::NoRoot));
     }
 

@@ -42,8 +42,8 @@ pub(crate) struct Edge {
 pub(crate) enum Scaling {
     /// All by one factor, whose square this is where it is known.
     Similar(Option<Number>),
-    /// Not all by one factor, as far as is known; the square of the determinant, where that is known.
-    Other(Option<Number>),
+    /// Not all by one factor, as far as is known.
+    Other,
 }
 
 impl Edge {
@@ -146,7 +146,11 @@ impl System {
     ///
     /// # Errors
     /// As [`System::of_numbers`]. Maps that conjugate need one place alone.
-    pub fn of_places(field: &Arc<Field>, places: &[usize], states: &[Vec<FieldMap>]) -> Result<Self, ExactError> {
+    pub fn of_places(
+        field: &Arc<Field>,
+        places: &[usize],
+        states: &[Vec<FieldMap>],
+    ) -> Result<Self, ExactError> {
         let (mut rows, mut sizes) = (Vec::new(), Vec::new());
         for (k, &place) in places.iter().enumerate() {
             if place >= field.roots().len() || places[..k].contains(&place) {
@@ -177,17 +181,10 @@ impl System {
                     .collect();
                 linear = linear.times(&Matrix::from_columns(&conjugates.ok_or(ExactError::NoConjugate)?));
             }
-            let square = |k: usize| sizes[k].as_ref().map(|sizes| sizes.square(&map.factor));
             let scaling = if places.len() == 1 {
-                Scaling::Similar(square(0))
+                Scaling::Similar(sizes[0].as_ref().map(|sizes| sizes.square(&map.factor)))
             } else {
-                let mut all = Some(Number::whole(1));
-                for (k, &place) in places.iter().enumerate() {
-                    let times = if field.roots()[place].is_real { 1 } else { 2 };
-                    let power = square(k).and_then(|square| square.power(times).ok());
-                    all = all.zip(power).and_then(|(all, power)| all.times(&power).ok());
-                }
-                Scaling::Other(all)
+                Scaling::Other
             };
             Ok(Edge { from: map.from, linear, shift: map.shift.0.clone(), scaling })
         };
@@ -282,20 +279,5 @@ fn scaling_of_matrix(field: &Arc<Field>, dimension: usize, matrix: &[Element]) -
     if pairs.into_iter().all(|(i, j)| if i == j { gram(i, j) == first } else { field.is_zero(&gram(i, j)) }) {
         return Scaling::Similar(Some(Number::new(field, first)));
     }
-    let entry = |i: usize, j: usize| &matrix[i * dimension + j];
-    let minor = |r: [usize; 2], c: [usize; 2]| {
-        field.minus(
-            &field.times(entry(r[0], c[0]), entry(r[1], c[1])),
-            &field.times(entry(r[0], c[1]), entry(r[1], c[0])),
-        )
-    };
-    let determinant = match dimension {
-        1 => entry(0, 0).clone(),
-        2 => minor([0, 1], [0, 1]),
-        _ => (0..3).fold(field.zero(), |sum, k| {
-            let minor = minor([1, 2], [(k + 1) % 3, (k + 2) % 3]);
-            field.plus(&sum, &field.times(entry(0, k), &minor))
-        }),
-    };
-    Scaling::Other(Some(Number::new(field, field.times(&determinant, &determinant))))
+    Scaling::Other
 }
