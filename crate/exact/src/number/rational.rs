@@ -260,7 +260,8 @@ impl Div for &Rational {
     type Output = Option<Rational>;
 
     fn div(self, other: Self) -> Option<Rational> {
-        Some(self * &other.inverse()?)
+        let inverse = other.inverse()?;
+        Some(self.mul(&inverse))
     }
 }
 

@@ -126,11 +126,9 @@ fn centres(maps: &[Vec<RealEdge>], dimension: usize) -> Vec<Point> {
     type Double = [f64; 3];
     let apply = |edge: &RealEdge, p: &Double| {
         let mut image = [0.0; 3];
-        for i in 0..dimension {
-            image[i] = edge.shift[i].middle();
-            for j in 0..dimension {
-                image[i] += edge.linear.rows[i][j].middle() * p[j];
-            }
+        for (i, x) in image.iter_mut().enumerate().take(dimension) {
+            let row = edge.linear.rows[i].iter().zip(p).take(dimension);
+            *x = edge.shift[i].middle() + row.map(|(entry, p)| entry.middle() * p).sum::<f64>();
         }
         image
     };
