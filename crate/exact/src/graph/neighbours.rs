@@ -1,8 +1,8 @@
 //! The graph of neighbour maps.
 //!
 //! A neighbour map is `h = f_u^-1 f_v` for two words u and v: where the piece of v is, seen from the piece of u. The
-//! larger piece of a pair is cut (both, where they are of one size), which gives the maps after h. Pairs whose balls are
-//! apart are dropped. Where finitely many maps are left, the system is of finite type, and two pieces meet exactly
+//! larger piece of a pair is cut (both, where they are of one size), which gives the maps after h. Pairs whose balls
+//! are apart are dropped. Where finitely many maps are left, the system is of finite type, and two pieces meet exactly
 //! where an endless walk starts at their map (Bandt & Graf 1992; Bandt & Mesing 2009).
 
 use std::collections::HashMap;

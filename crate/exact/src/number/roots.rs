@@ -2,7 +2,8 @@
 //!
 //! Roots are approximated together (Aberth 1973). Then discs are proved around them (Smith 1970): where `z_i` are any n
 //! different points, each component of the union of the discs around `z_i` with radius
-//! `n |p(z_i)| / |a_n prod_{j != i} (z_i - z_j)|` contains as many roots as it has discs. Disjoint discs are one root each.
+//! `n |p(z_i)| / |a_n prod_{j != i} (z_i - z_j)|` contains as many roots as it has discs. Disjoint discs are one
+//! root each.
 
 use std::cmp::Ordering;
 
