@@ -124,8 +124,8 @@ export default defineConfig({
           groups: [
             // What a page loads at once is one file, however much of it is shared with what it loads later.
             { name: "first", tags: ["$initial"] },
-            // All small pictures of figures are shown together. What figures share is one file for the kit, and one a paper.
-            { name: "thumbs", test: /src\/figures\/.*\/thumbs\.tsx$/, includeDependenciesRecursively: false },
+            // What figures share is one file for the kit, and one a paper. The small pictures of a paper are in no group: what
+            // they alone have would stay outside of it, and be there too late for them.
             {
               name: (path) => /src\/figures\/([\w-]+)\//.exec(path)?.[1] ?? null,
               test: /src\/figures\//,
