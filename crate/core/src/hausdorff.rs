@@ -57,6 +57,8 @@ const FINEST: f64 = 1e-9;
 const MOST_CORNERS: usize = 256;
 /// Pairs that are compared for one piece at most: of a circle all points are as near to its middle.
 const MOST_AT_ONCE: usize = 1 << 20;
+/// Pieces of one shape that are kept at most: a hundred megabytes.
+const MOST_PIECES: usize = 1 << 20;
 
 /// Bounds of the Hausdorff distance of the attractors of two systems.
 ///
@@ -173,7 +175,11 @@ impl Search {
                 found.upper = found.upper.max(upper);
                 return spent;
             }
-            for part in from.parts(piece) {
+            let Some(parts) = from.parts(piece) else {
+                found.upper = found.upper.max(upper);
+                return spent;
+            };
+            for part in parts {
                 let (leaf, cost) = look(from.nodes[part as usize], part, near.clone(), to, found);
                 spent += cost;
                 open.push(Ranked { key: Total(leaf.upper.min(upper)), item: leaf });
@@ -201,7 +207,9 @@ impl Search {
             let to_point = |from: D::Vector, k: &u32| D::length(to.nodes[*k as usize].at - from);
             let upper = near.iter().map(|k| to_point(node.centre, k)).fold(f64::INFINITY, f64::min);
             near.retain(|k| to_ball(node.centre, k) <= upper + 2.0 * node.radius + self.rounding);
-            if cost > MOST_AT_ONCE || near.iter().all(|k| radius(k) <= finest) {
+            let coarse = near.iter().filter(|k| radius(k) > finest).count();
+            let grown = cost + near.len() + coarse * to.maps.len();
+            if coarse == 0 || grown > MOST_AT_ONCE || !to.holds(coarse) {
                 let nearest = near.iter().min_by_key(|k| Total(to_point(node.at, k))).copied().unwrap_or(0);
                 let lower = near.iter().map(|k| to_ball(node.at, k)).fold(f64::INFINITY, f64::min);
                 let leaf = Leaf { piece, near, upper: upper + node.radius };
@@ -212,7 +220,7 @@ impl Search {
                 if to.nodes[k as usize].radius <= finest {
                     finer.push(k);
                 } else {
-                    finer.extend(to.parts(k));
+                    finer.extend(to.parts(k).into_iter().flatten());
                 }
             }
             near = finer;
@@ -277,20 +285,29 @@ impl<'a, D: Dimension> Pieces<'a, D> {
         images.take(MOST_CORNERS).collect()
     }
 
-    /// The parts of a piece, one for each map.
-    fn parts(&mut self, piece: u32) -> Range<u32> {
+    /// Whether so many pieces more can be split.
+    fn holds(&self, more: usize) -> bool {
+        self.nodes.len() + more * self.maps.len() <= MOST_PIECES
+    }
+
+    /// The parts of a piece, one for each map. `None` where there are too many pieces already.
+    fn parts(&mut self, piece: u32) -> Option<Range<u32>> {
         let count = self.maps.len() as u32;
         let Node { map, parts, .. } = self.nodes[piece as usize];
-        let first = parts.unwrap_or_else(|| {
-            let first = self.nodes.len() as u32;
-            for &letter in self.maps {
-                let node = self.node(map * letter);
-                self.nodes.push(node);
+        let first = match parts {
+            Some(first) => first,
+            None if !self.holds(1) => return None,
+            None => {
+                let first = self.nodes.len() as u32;
+                for &letter in self.maps {
+                    let node = self.node(map * letter);
+                    self.nodes.push(node);
+                }
+                self.nodes[piece as usize].parts = Some(first);
+                first
             }
-            self.nodes[piece as usize].parts = Some(first);
-            first
-        });
-        first..first + count
+        };
+        Some(first..first + count)
     }
 }
 
@@ -418,6 +435,23 @@ mod tests {
                 assert!(p.distance(q) >= lower - 1e-9 || budget == 0, "{seed}: {p} {q} {lower}");
             }
         }
+    }
+
+    /// Where all pieces lie upon each other none is left out: without a limit there would be 64^4 of them.
+    #[test]
+    fn many_maps_upon_each_other_stay_within_memory() {
+        let at = |k: u32| DVec2::from_angle(f64::from(k)) * 0.1;
+        let heap = Ifs::new((0..64).map(|k| Affine2::similitude(0.9, 0.0, at(k))).collect()).unwrap();
+        let point = scaled(0.5, &[[0.0, 0.0]]);
+        let (from, mut to) = (Pieces::of(&point), Pieces::of(&heap));
+        let search = Search { tolerance: 1e-9, rounding: 1e-12 };
+        let (_, lower, _, cost) = search.look(from.nodes[0], 0, vec![0], &mut to);
+        assert!(to.nodes.len() <= MOST_PIECES && cost <= MOST_AT_ONCE, "{} {cost}", to.nodes.len());
+        // The heap is a disc of radius 0.1 / (1 - 0.9), but for what lies between its 64 corners.
+        assert!(lower == 0.0, "{lower}");
+        let HausdorffDistance { lower, upper, .. } =
+            hausdorff_distance(&point, &heap, &HausdorffOptions::default());
+        assert!(lower <= 1.0 && 0.99 < upper, "{lower} {upper}");
     }
 
     #[test]
