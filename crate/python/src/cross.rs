@@ -46,6 +46,7 @@ macro_rules! coded {
         })*
     };
 }
+pub(crate) use coded;
 
 coded!(
     IfsError,

@@ -8,20 +8,10 @@ use glam::DVec2;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-use crate::cross::{Problem, Rows, compute, flat, in_steps};
+use crate::cross::{Problem, Rows, coded, compute, flat, in_steps};
 
 /// Sides of a parabola where a curve is measured and drawn.
 const SIDES: usize = 16;
-
-macro_rules! coded {
-    ($($error:ty),* $(,)?) => {
-        $(impl From<$error> for Problem {
-            fn from(error: $error) -> Self {
-                Self::new(error.code(), error.to_string())
-            }
-        })*
-    };
-}
 
 coded!(FitError, OutlineError, PackError, SplineError, TraceError);
 
