@@ -118,6 +118,28 @@ pub(crate) fn read_colours(text: &str, most: usize) -> Option<Vec<String>> {
     (colours.len() <= most && colours.iter().all(|text| is_colour(text))).then_some(colours)
 }
 
+/// The most formulas of a shape, and the most characters of one.
+const MAX_FORMULAS: usize = 64;
+const MAX_FORMULA: usize = 200;
+
+/// Formulas with commas in between. Plus and the sign of a power are escaped: mail programs and browsers change them.
+pub(crate) fn formula_words(formulas: &[String]) -> String {
+    joined(formulas, ",").replace('+', "%2B").replace('^', "%5E")
+}
+
+/// The same read again, without knowing what they mean.
+pub(crate) fn read_formulas(text: &str) -> Option<Vec<String>> {
+    let formulas: Vec<String> =
+        unescape(text).split(',').take(MAX_FORMULAS + 1).map(ToOwned::to_owned).collect();
+    let is_formula = |formula: &String| {
+        (1..=MAX_FORMULA).contains(&formula.len())
+            && formula
+                .bytes()
+                .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b"./()*-+^".contains(&b))
+    };
+    (formulas.len() <= MAX_FORMULAS && formulas.iter().all(is_formula)).then_some(formulas)
+}
+
 /// A name without control characters and not too long.
 pub(crate) fn tidy(name: &str) -> String {
     name.chars().filter(|c| !c.is_control()).take(MAX_NAME).collect::<String>().trim().to_owned()
