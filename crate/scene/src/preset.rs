@@ -150,9 +150,9 @@ pub fn preset(id: &str) -> Option<Preset> {
     presets().into_iter().find(|preset| preset.id == id)
 }
 
-/// Copies scaled by `r`, without a turn, each with its fixed point at one of `corners`.
-fn shrunk(r: f64, corners: &[[f64; 2]]) -> Vec<Row> {
-    corners.iter().map(|[x, y]| [r, 0.0, 0.0, r, (1.0 - r) * x, (1.0 - r) * y]).collect()
+/// Copies scaled by `ratio`, without a turn, and moved.
+fn shrunk(ratio: f64, shifts: &[[f64; 2]]) -> Vec<Row> {
+    shifts.iter().map(|[x, y]| [ratio, 0.0, 0.0, ratio, *x, *y]).collect()
 }
 
 /// Copies scaled by a third into cells of a 3 x 3 board.
@@ -202,20 +202,24 @@ fn vicsek() -> Vec<Row> {
     board(&[[1, 1], [0, 0], [2, 0], [2, 2], [0, 2]])
 }
 
+// What is not a fraction of few digits below is the double nearest to the number that is meant: what Frond proves of the
+// gallery, it proves of these numbers.
+
 fn pentagon() -> Vec<Row> {
-    // Cosines and sines of fifths of a turn, in closed form; the ratio is 1 / golden ratio^2.
-    let root = 5.0_f64.sqrt();
-    let (c1, c2) = ((root - 1.0) / 4.0, -(root + 1.0) / 4.0);
-    let (s1, s2) = ((10.0 + 2.0 * root).sqrt() / 4.0, (10.0 - 2.0 * root).sqrt() / 4.0);
-    // A corner on top.
-    shrunk((3.0 - root) / 2.0, &[[0.0, 1.0], [-s1, c1], [-s2, c2], [s2, c2], [s1, c1]])
+    // 1 / golden ratio^2, and the corners of a regular pentagon over the golden ratio, one on top.
+    let ratio = 0.381_966_011_250_105_15;
+    let (x1, y1) = (0.587_785_252_292_473_1, 0.190_983_005_625_052_58);
+    let (x2, y2) = (0.363_271_264_002_680_45, -0.5);
+    shrunk(ratio, &[[0.0, 0.618_033_988_749_894_9], [-x1, y1], [-x2, y2], [x2, y2], [x1, y1]])
 }
 
-const HEXAGON: [[f64; 2]; 6] =
-    [[1.0, 0.0], [0.5, HEIGHT], [-0.5, HEIGHT], [-1.0, 0.0], [-0.5, -HEIGHT], [0.5, -HEIGHT]];
-
 fn hexagon() -> Vec<Row> {
-    shrunk(THIRD, &HEXAGON)
+    // sqrt 3 / 3.
+    let height = 0.577_350_269_189_625_7;
+    let (far, near) = (2.0 / 3.0, THIRD);
+    let corners =
+        [[far, 0.0], [near, height], [-near, height], [-far, 0.0], [-near, -height], [near, -height]];
+    shrunk(THIRD, &corners)
 }
 
 fn hexaflake() -> Vec<Row> {
@@ -226,10 +230,12 @@ fn hexaflake() -> Vec<Row> {
 
 /// Seven copies scaled by 1 / sqrt 7 and turned, one in the middle and six around it.
 fn gosper() -> Vec<Row> {
-    // 1 / (2 + w) with w = (1 + i sqrt 3) / 2: its square is 1/7.
-    let (re, im) = (2.5 / 7.0, -HEIGHT / 7.0);
-    let around = HEXAGON.map(|[x, y]| [re * x - im * y, im * x + re * y]);
-    std::iter::once([0.0, 0.0]).chain(around).map(|[e, f]| [re, -im, im, re, e, f]).collect()
+    // 1 / (2 + w) with w = (1 + i sqrt 3) / 2, whose square is 1/7, and its products with the powers of w.
+    let [one, two, three] = [0.123_717_914_826_348_38, 0.247_435_829_652_696_75, 0.371_153_744_479_045_14];
+    let (re, im) = (5.0 / 14.0, -one);
+    let around = [[re, im], [2.0 / 7.0, two], [-1.0 / 14.0, three]];
+    let shifts = around.into_iter().chain(around.map(|[x, y]| [-x, -y]));
+    std::iter::once([0.0, 0.0]).chain(shifts).map(|[e, f]| [re, -im, im, re, e, f]).collect()
 }
 
 fn maple() -> Vec<Row> {
@@ -251,7 +257,7 @@ fn tree() -> Vec<Row> {
 }
 
 fn dust() -> Vec<Row> {
-    shrunk(0.4, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    shrunk(0.4, &[[0.0, 0.0], [0.6, 0.0], [0.6, 0.6], [0.0, 0.6]])
 }
 
 #[cfg(test)]
