@@ -230,6 +230,11 @@ export function Proof({ connected }: { connected: boolean }) {
         </Button>
       )}
       <p role="status">{proofWords(now, connected)}</p>
+      {now?.state === "there" && (
+        <p>
+          {messages.checkElsewhere} <code>{CHECK}</code>
+        </p>
+      )}
     </div>
   );
 }
@@ -247,10 +252,14 @@ function proofWords(now: Proved | null, connected: boolean): string {
   }
 }
 
+const FILE = "frond-proof.json";
+/** What anybody can run who has Node. */
+const CHECK = `npx frond-ifs check ${FILE}`;
+
 function saveProof(certificate: Certificate | ConnectedCertificate): void {
   try {
     const blob = new Blob([`${JSON.stringify(certificate)}\n`], { type: "application/json" });
-    download(blob, "frond-proof.json");
+    download(blob, FILE);
   } catch (problem) {
     notify({ kind: "error", text: messages.proofFailed(wordsOf(problem)) });
   }

@@ -11,6 +11,7 @@ export const howNumbersInterpreted = "How the numbers are interpreted";
 export const notExact = (values: string) =>
   `The stored decimals are only close to these values, so this is not a proof for them. Read as: ${values}.`;
 export const aboutExact = "The proof is about the exact numbers.";
+export const checkElsewhere = "To check the file yourself:";
 export const useExact = "Use the exact values";
 export const exactUsed = (values: string) => `The maps now mean ${values} exactly.`;
 export const exactNumbers = "Exact numbers";
