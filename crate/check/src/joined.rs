@@ -48,8 +48,11 @@ pub(crate) fn check_connected_within(
     certificate: &ConnectedCertificate,
     work: &Work,
 ) -> Result<CheckedConnected, Refused> {
-    let ConnectedCertificate { maps, polygon, gap, near, links, squares } = certificate;
+    let ConnectedCertificate { maps, polygon, gap, near, links, squares, .. } = certificate;
     let longest = check_form(certificate)?;
+    if certificate.exact.is_some() {
+        return Err(Refused::Form { why: "exact numbers are not checked yet" });
+    }
     let scene = Scene::new(maps, polygon, work)?;
     let gap = Factor::of(*gap).filter(|_| *gap >= 0.0).ok_or(Refused::NotFinite { place: "gaps" })?;
     let differences = squares

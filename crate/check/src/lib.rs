@@ -89,6 +89,7 @@
 //!     letters: 1,
 //!     side: vec![0, 1],
 //!     pairs: vec![Pair { u: vec![0], v: vec![1], normal: [1.0, 0.0] }],
+//!     exact: None,
 //! };
 //! assert_eq!(check(&certificate).unwrap().pairs, 1);
 //! ```
@@ -99,6 +100,7 @@ mod connected;
 mod cover;
 mod crossing;
 mod difference;
+mod exact;
 mod joined;
 mod limits;
 mod line;
@@ -113,6 +115,7 @@ mod work;
 
 pub use certificate::{Certificate, Pair};
 pub use connected::{Address, ConnectedCertificate, Far, Link, Squares};
+pub use exact::{Exact, ExactEntry};
 pub use joined::{CheckedConnected, check_connected};
 pub use proof::{CheckedProof, Proof};
 pub use refused::Refused;

@@ -45,7 +45,7 @@ const BLOCKS: usize = 4096;
 ///
 /// ```
 /// # use frond_check::{Certificate, Refused, check};
-/// let none = Certificate { maps: vec![], polygon: vec![], letters: 1, side: vec![], pairs: vec![] };
+/// let none = Certificate { maps: vec![], polygon: vec![], letters: 1, side: vec![], pairs: vec![], exact: None };
 /// assert_eq!(check(&none).unwrap_err().code(), "form");
 /// ```
 pub fn check(certificate: &Certificate) -> Result<Checked, Refused> {
@@ -54,8 +54,11 @@ pub fn check(certificate: &Certificate) -> Result<Checked, Refused> {
 
 /// The same with a meter of its own.
 pub(crate) fn check_within(certificate: &Certificate, work: &Work) -> Result<Checked, Refused> {
-    let Certificate { maps, polygon, letters, side, pairs } = certificate;
+    let Certificate { maps, polygon, letters, side, pairs, .. } = certificate;
     let longest = check_form(certificate)?;
+    if certificate.exact.is_some() {
+        return Err(Refused::Form { why: "exact numbers are not checked yet" });
+    }
     let scene = Scene::new(maps, polygon, work)?;
     plan(certificate, &scene)?;
     scene.check_convex()?;
@@ -92,7 +95,7 @@ fn direction(normal: [f64; 2]) -> Result<Whole<2>, Refused> {
 
 /// Sizes and forms; the letters of the longest word.
 fn check_form(certificate: &Certificate) -> Result<usize, Refused> {
-    let Certificate { maps, polygon, letters, side, pairs } = certificate;
+    let Certificate { maps, polygon, letters, side, pairs, .. } = certificate;
     at_most(maps.len(), MAPS, "maps")?;
     at_most(polygon.len(), CORNERS, "corners")?;
     at_most(pairs.len(), PAIRS, "pairs")?;
