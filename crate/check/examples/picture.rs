@@ -27,6 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         letters: 1,
         side: vec![0, 1, 1],
         pairs: Vec::new(),
+        exact: None,
     };
     descend(&mut certificate, &[0], &[1])?;
     descend(&mut certificate, &[0], &[2])?;

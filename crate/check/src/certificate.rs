@@ -1,5 +1,7 @@
 //! What is to be checked: plain numbers.
 
+use crate::exact::Exact;
+
 /// A proof that the attractor of maps is in several pieces. See the [crate](crate) for what it says.
 ///
 /// Maps are rows `[a, b, c, d, e, f]`, with `x' = a x + b y + e` and `y' = c x + d y + f`.
@@ -16,6 +18,9 @@ pub struct Certificate {
     pub side: Vec<u8>,
     /// Pairs of words that are apart.
     pub pairs: Vec<Pair>,
+    /// Which entries of the maps are exactly what numbers. Without it the doubles are meant.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub exact: Option<Exact>,
 }
 
 /// Two words whose pieces are apart, and a direction that shows it.

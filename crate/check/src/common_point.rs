@@ -43,6 +43,9 @@ impl Scene<'_> {
 
     /// What [`Self::coincide`] takes.
     pub fn cost_coincide(&self, addresses: &[Address; 2]) -> u64 {
+        if let Some((field, _)) = &self.exact {
+            return field.cost_coincide(addresses);
+        }
         let [a, b] = addresses.each_ref().map(|address| self.cost_point(address));
         a.0.saturating_add(b.0).saturating_add(4 * product(a.1, b.1))
     }
@@ -50,6 +53,9 @@ impl Scene<'_> {
     /// Whether two addresses are of one point. Letters are known to be maps, and those that repeat to contract.
     pub fn coincide(&self, addresses: &[Address; 2]) -> Result<bool, Refused> {
         self.work.spend(self.cost_coincide(addresses))?;
+        if let Some((field, _)) = &self.exact {
+            return Ok(field.coincide(addresses));
+        }
         let [a, b] = addresses.each_ref().map(|address| self.point(address));
         Ok((0..2).all(|k| &a.over[k] * &b.under == &b.over[k] * &a.under))
     }

@@ -1,5 +1,7 @@
 //! What is to be checked of an attractor in one piece: plain numbers.
 
+use crate::exact::Exact;
+
 /// A proof that the attractor of maps is in one piece. See the [crate](crate) for what it says.
 ///
 /// Maps are rows as in [`Certificate`](crate::Certificate), words and addresses lists of letters from 0.
@@ -19,6 +21,9 @@ pub struct ConnectedCertificate {
     /// Where maps have one linear part, squares full of differences of two points of the attractor.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub squares: Option<Squares>,
+    /// Which entries of the maps are exactly what numbers. Without it the doubles are meant.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub exact: Option<Exact>,
 }
 
 /// Squares full of differences of two points of the attractor.

@@ -48,15 +48,17 @@ pub(crate) fn check_connected_within(
     certificate: &ConnectedCertificate,
     work: &Work,
 ) -> Result<CheckedConnected, Refused> {
-    let ConnectedCertificate { maps, polygon, gap, near, links, squares } = certificate;
+    let ConnectedCertificate { maps, polygon, gap, near, links, squares, exact } = certificate;
     let longest = check_form(certificate)?;
-    let scene = Scene::new(maps, polygon, work)?;
+    let exact = exact.as_ref();
+    let mut scene = Scene::new(maps, polygon, work)?.with_exact(exact, maps, 1)?;
     let gap = Factor::of(*gap).filter(|_| *gap >= 0.0).ok_or(Refused::NotFinite { place: "gaps" })?;
     let differences = squares
         .as_ref()
         .map(|squares| Differences::new(&scene, squares).ok_or(Refused::Squares))
         .transpose()?;
     plan(certificate, &scene, differences.as_ref())?;
+    scene.check_exact(exact, maps)?;
     scene.check_convex()?;
     for letter in 0..maps.len() {
         scene.check_inside(&[letter as u8])?;
@@ -118,13 +120,19 @@ fn first(address: &Address) -> usize {
 
 /// Sizes and forms; the letters of the longest word.
 fn check_form(certificate: &ConnectedCertificate) -> Result<usize, Refused> {
-    let ConnectedCertificate { maps, polygon, near, links, squares, .. } = certificate;
+    let ConnectedCertificate { maps, polygon, near, links, squares, exact, .. } = certificate;
     let cells = squares.as_ref().map_or(&[][..], |squares| &squares.cells);
     at_most(cells.len(), CELLS, "squares")?;
     at_most(maps.len(), MAPS, "maps")?;
     at_most(polygon.len(), CORNERS, "corners")?;
     at_most(near.len(), PAIRS, "pairs")?;
     at_most(links.len(), PAIRS, "links")?;
+    let is_of_doubles = |link: &Link| matches!(link, Link::Between { .. } | Link::Difference { .. });
+    if exact.is_some() && (squares.is_some() || links.iter().any(is_of_doubles)) {
+        return Err(Refused::Form {
+            why: "links of the kinds \"between\" and \"difference\" are not checked of exact numbers",
+        });
+    }
     if maps.is_empty() {
         return Err(Refused::Form { why: "it has no maps" });
     }
@@ -189,8 +197,9 @@ fn plan(
     scene: &Scene,
     differences: Option<&Differences>,
 ) -> Result<(), Refused> {
-    let ConnectedCertificate { maps, near, links, .. } = certificate;
+    let ConnectedCertificate { maps, near, links, exact, .. } = certificate;
     let work = scene.work.afresh();
+    work.spend(scene.cost_exact(exact.as_ref(), maps)?)?;
     work.spend(scene.cost_convex())?;
     work.spend((maps.len() as u64).saturating_mul(scene.cost_inside(1)))?;
     work.spend(scene.cost_edges())?;
@@ -282,12 +291,18 @@ impl Scene<'_> {
 
     /// What [`Self::fill`] takes.
     fn cost_fill(&self) -> u64 {
-        6 * product(self.letter, self.letter)
+        match &self.exact {
+            Some((field, _)) => field.cost_fill(),
+            None => 6 * product(self.letter, self.letter),
+        }
     }
 
     /// Whether two maps scale areas by factors with a sum of 1 or more.
     fn fill(&self, pair: [usize; 2]) -> Result<bool, Refused> {
         self.work.spend(self.cost_fill())?;
+        if let Some((field, _)) = &self.exact {
+            return Ok(field.fill(pair));
+        }
         let area = |k: usize| {
             let [a, b, c, d, ..] = &self.maps.rows[k];
             (a * d - b * c).magnitude().clone()

@@ -89,6 +89,7 @@
 //!     letters: 1,
 //!     side: vec![0, 1],
 //!     pairs: vec![Pair { u: vec![0], v: vec![1], normal: [1.0, 0.0] }],
+//!     exact: None,
 //! };
 //! assert_eq!(check(&certificate).unwrap().pairs, 1);
 //! ```
@@ -98,7 +99,10 @@ mod common_point;
 mod connected;
 mod cover;
 mod crossing;
+mod deviation;
 mod difference;
+mod exact;
+mod field;
 mod joined;
 mod limits;
 mod line;
@@ -113,6 +117,7 @@ mod work;
 
 pub use certificate::{Certificate, Pair};
 pub use connected::{Address, ConnectedCertificate, Far, Link, Squares};
+pub use exact::{Exact, ExactEntry};
 pub use joined::{CheckedConnected, check_connected};
 pub use proof::{CheckedProof, Proof};
 pub use refused::Refused;

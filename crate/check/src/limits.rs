@@ -11,6 +11,11 @@ pub(crate) const FARTHEST_CELL: u32 = 1_000_000;
 /// Letters of one word, and of all words together.
 pub(crate) const LETTERS: usize = 1000;
 pub(crate) const TEXT: usize = 10_000_000;
+/// Of the polynomial of exact numbers.
+pub(crate) const DEGREE: usize = 16;
+/// Characters of one fraction, and of all fractions together.
+pub(crate) const NUMERAL: usize = 1000;
+pub(crate) const NUMERALS: usize = 200_000;
 
 pub(crate) fn at_most(count: usize, most: usize, what: &'static str) -> Result<(), Refused> {
     if count > most { Err(Refused::TooLarge { what, most: most as u64 }) } else { Ok(()) }

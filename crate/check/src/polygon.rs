@@ -2,6 +2,9 @@
 
 use num_bigint::BigInt;
 
+use crate::deviation::Deviation;
+use crate::exact::Exact;
+use crate::field::{Field, cost_reading};
 use crate::refused::Refused;
 use crate::whole::{Factor, Whole};
 use crate::work::{Work, digits, product};
@@ -17,6 +20,8 @@ pub(crate) struct Scene<'a> {
     pub corner: u64,
     /// The leftmost corner, from which the lower side begins, and the rightmost, from which the upper one does.
     ends: [usize; 2],
+    /// What entries of the maps are exactly, where they are not all their doubles.
+    pub exact: Option<(Field, Deviation)>,
 }
 
 /// How far the image of the polygon reaches, as a whole number times `2^-bits`.
@@ -60,7 +65,36 @@ impl<'a> Scene<'a> {
         let order = |&i: &usize, &j: &usize| corners.rows[i].cmp(&corners.rows[j]);
         let left = (0..polygon.len()).min_by(order).unwrap_or(0);
         let right = (0..polygon.len()).max_by(order).unwrap_or(0);
-        Ok(Self { maps, corners, work, letter, corner, ends: [left, right] })
+        Ok(Self { maps, corners, work, letter, corner, ends: [left, right], exact: None })
+    }
+
+    /// The same for maps whose entries are exact numbers. Words of `letters` letters take the polygon into itself,
+    /// which is still to be checked.
+    pub fn with_exact(
+        mut self,
+        exact: Option<&Exact>,
+        maps: &[[f64; 6]],
+        letters: usize,
+    ) -> Result<Self, Refused> {
+        let Some(exact) = exact else { return Ok(self) };
+        self.work.afresh().spend(cost_reading(exact, maps)?)?;
+        let field = Field::read(exact, maps)?;
+        let deviation = Deviation::new(exact, maps, &self.corners, letters)?;
+        self.exact = Some((field, deviation));
+        Ok(self)
+    }
+
+    /// What it takes to read exact numbers, and [`Self::check_exact`].
+    pub fn cost_exact(&self, exact: Option<&Exact>, maps: &[[f64; 6]]) -> Result<u64, Refused> {
+        let read = exact.map_or(Ok(0), |exact| cost_reading(exact, maps))?;
+        let check = self.exact.as_ref().map_or(0, |(field, deviation)| field.cost_check() + deviation.cost);
+        Ok(read.saturating_add(check))
+    }
+
+    /// Checks that exact numbers are what they are said to be, and near their doubles.
+    pub fn check_exact(&mut self, exact: Option<&Exact>, maps: &[[f64; 6]]) -> Result<(), Refused> {
+        self.work.spend(self.cost_exact(exact, maps)?)?;
+        self.exact.as_mut().map_or(Ok(()), |(field, _)| field.check(maps))
     }
 
     /// What [`Self::check_convex`] takes.
@@ -115,7 +149,10 @@ impl<'a> Scene<'a> {
         let corners = u64::from(self.corners.rows.len().ilog2());
         let end = normal + letters * self.letter + self.corner;
         let follow = letters.saturating_mul(8 * product(end, self.letter));
-        follow.saturating_add((2 * corners + 12) * product(end, self.corner))
+        let deviation = self.exact.as_ref().map_or(0, |(_, deviation)| {
+            letters.saturating_mul(2 * product(end + deviation.digits, deviation.digits))
+        });
+        follow.saturating_add((2 * corners + 12) * product(end, self.corner)).saturating_add(deviation)
     }
 
     /// The greatest `normal . x` over the image of the polygon under a word, where `normal` is given as whole multiples
@@ -123,18 +160,32 @@ impl<'a> Scene<'a> {
     ///
     /// `n . w_i(x) = (M_i^T n) . x + n . t_i`: instead of multiplying the maps, the direction is followed down the
     /// word. The polygon is known to be convex.
+    ///
+    /// Of maps whose entries are exact numbers it is a bound from above, see [`Deviation`].
     pub fn farthest(&self, word: &[u8], normal: [BigInt; 2], bits: u64) -> Result<Reach, Refused> {
         self.work.spend(self.cost_farthest(digits(&normal), word.len()))?;
         let [mut n_x, mut n_y] = normal;
         let mut moved = BigInt::ZERO;
+        let mut off = self.exact.as_ref().map(|(_, deviation)| deviation.sum(self.maps.bits));
         for &letter in word {
+            if let Some(off) = &mut off {
+                off.add(usize::from(letter), [&n_x, &n_y]);
+            }
             let [a, b, c, d, e, f] = &self.maps.rows[usize::from(letter)];
             moved = (moved << self.maps.bits) + &n_x * e + &n_y * f;
             (n_x, n_y) = (&n_x * a + &n_y * c, &n_x * b + &n_y * d);
         }
         let far = self.farthest_corner(&[n_x, n_y])?;
         let letters = word.len() as u64 * self.maps.bits;
-        Ok(Reach { far: far + (moved << self.corners.bits), bits: bits + letters + self.corners.bits })
+        let reach =
+            Reach { far: far + (moved << self.corners.bits), bits: bits + letters + self.corners.bits };
+        Ok(match off {
+            Some(off) => {
+                let (far, bits) = off.whole(bits + letters);
+                reach.plus(&Reach { far, bits })
+            }
+            None => reach,
+        })
     }
 
     /// The greatest `normal . x` over the polygon.

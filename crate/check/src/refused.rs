@@ -97,6 +97,21 @@ pub enum Refused {
          share one linear part that has an inverse."
     )]
     Squares,
+    /// The number that others are given by is not shown to be one.
+    #[error(
+        "The exact numbers are not given by one root: the polynomial does not change its sign between the ends of the          interval, or its derivative, computed for the whole interval at once, may be 0 there."
+    )]
+    Root,
+    /// An exact number is not shown to be the one that its double stands for.
+    #[error(
+        "Number {} of map {} is not within a unit in the last place of its double.", .entry + 1, .map + 1
+    )]
+    Entry {
+        /// Index of a map.
+        map: usize,
+        /// Index in its row.
+        entry: usize,
+    },
     /// Some maps are not reached.
     #[error("The links do not reach all pieces: none leads from the first to piece {}.", .map + 1)]
     Unreached {
@@ -122,6 +137,8 @@ impl Refused {
             Self::Gap { .. } => "gap",
             Self::Link { .. } => "link",
             Self::Squares => "squares",
+            Self::Root => "root",
+            Self::Entry { .. } => "entry",
             Self::Unreached { .. } => "unreached",
         }
     }

@@ -45,7 +45,7 @@ const BLOCKS: usize = 4096;
 ///
 /// ```
 /// # use frond_check::{Certificate, Refused, check};
-/// let none = Certificate { maps: vec![], polygon: vec![], letters: 1, side: vec![], pairs: vec![] };
+/// let none = Certificate { maps: vec![], polygon: vec![], letters: 1, side: vec![], pairs: vec![], exact: None };
 /// assert_eq!(check(&none).unwrap_err().code(), "form");
 /// ```
 pub fn check(certificate: &Certificate) -> Result<Checked, Refused> {
@@ -54,10 +54,12 @@ pub fn check(certificate: &Certificate) -> Result<Checked, Refused> {
 
 /// The same with a meter of its own.
 pub(crate) fn check_within(certificate: &Certificate, work: &Work) -> Result<Checked, Refused> {
-    let Certificate { maps, polygon, letters, side, pairs } = certificate;
+    let Certificate { maps, polygon, letters, side, pairs, exact } = certificate;
     let longest = check_form(certificate)?;
-    let scene = Scene::new(maps, polygon, work)?;
+    let exact = exact.as_ref();
+    let mut scene = Scene::new(maps, polygon, work)?.with_exact(exact, maps, *letters)?;
     plan(certificate, &scene)?;
+    scene.check_exact(exact, maps)?;
     scene.check_convex()?;
     for word in words(maps.len(), *letters) {
         scene.check_inside(&word)?;
@@ -92,7 +94,7 @@ fn direction(normal: [f64; 2]) -> Result<Whole<2>, Refused> {
 
 /// Sizes and forms; the letters of the longest word.
 fn check_form(certificate: &Certificate) -> Result<usize, Refused> {
-    let Certificate { maps, polygon, letters, side, pairs } = certificate;
+    let Certificate { maps, polygon, letters, side, pairs, .. } = certificate;
     at_most(maps.len(), MAPS, "maps")?;
     at_most(polygon.len(), CORNERS, "corners")?;
     at_most(pairs.len(), PAIRS, "pairs")?;
@@ -122,8 +124,9 @@ fn check_form(certificate: &Certificate) -> Result<usize, Refused> {
 
 /// What it takes at the most: refuses what is too large before it begins.
 fn plan(certificate: &Certificate, scene: &Scene) -> Result<(), Refused> {
-    let Certificate { maps, letters, pairs, .. } = certificate;
+    let Certificate { maps, letters, pairs, exact, .. } = certificate;
     let work = scene.work.afresh();
+    work.spend(scene.cost_exact(exact.as_ref(), maps)?)?;
     work.spend(scene.cost_convex())?;
     let blocks = (maps.len() as u64).pow(*letters as u32);
     work.spend(blocks.saturating_mul(scene.cost_inside(*letters)))?;

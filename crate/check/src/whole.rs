@@ -47,6 +47,20 @@ impl Factor {
     }
 }
 
+/// The unit in the last place of a double: by so much it may be off where it stands for another number. None for 0.
+pub(crate) fn unit(x: f64) -> f64 {
+    if x == 0.0 {
+        return 0.0;
+    }
+    let exponent = x.to_bits() >> 52 & 0x7ff;
+    // That of the smallest normal numbers is the smallest double; above, each power of two doubles it.
+    if exponent <= 53 {
+        f64::from_bits(1 << exponent.saturating_sub(1))
+    } else {
+        f64::from_bits((exponent - 52) << 52)
+    }
+}
+
 /// `(m, e)` with `x = m 2^e`, m odd or zero.
 fn parts(x: f64) -> (i64, i64) {
     let bits = x.to_bits();

@@ -82,12 +82,13 @@ mod tests {
             letters: 1,
             side: vec![0, 1],
             pairs: (0..pairs).map(pair).chain([whole]).collect(),
+            exact: None,
         })
     }
 
     fn connected(maps: Vec<[f64; 6]>, links: Vec<Link>, squares: Option<Squares>) -> Proof {
         let (polygon, near) = (SQUARE.to_vec(), Vec::new());
-        Proof::Connected(ConnectedCertificate { maps, polygon, gap: 1.0, near, links, squares })
+        Proof::Connected(ConnectedCertificate { maps, polygon, gap: 1.0, near, links, squares, exact: None })
     }
 
     /// The halves of a segment share 1/2, whose addresses are written with some letters too many.
@@ -138,7 +139,15 @@ mod tests {
         let near = vec![[deep(0, 1), deep(2, 3)], [deep(1, 0), deep(2, 3)], [deep(0, 1), deep(3, 2)]];
         let links = [[0, 2], [1, 2], [0, 3]].map(link).to_vec();
         let polygon = [[-1.125, -1.125], [1.125, -1.125], [1.125, 1.125], [-1.125, 1.125]].to_vec();
-        Proof::Connected(ConnectedCertificate { maps, polygon, gap: 0.1, near, links, squares: None })
+        Proof::Connected(ConnectedCertificate {
+            maps,
+            polygon,
+            gap: 0.1,
+            near,
+            links,
+            squares: None,
+            exact: None,
+        })
     }
 
     fn areas(links: usize) -> Proof {

@@ -27,7 +27,7 @@ fn plus() -> ConnectedCertificate {
     // Both halves of each bar reach beyond the middle, and no gap is wider than a hundredth.
     let deep = |first: u8, then: u8| [vec![first], vec![then; 12]].concat();
     let near = vec![[deep(0, 1), deep(2, 3)], [deep(1, 0), deep(2, 3)], [deep(0, 1), deep(3, 2)]];
-    ConnectedCertificate { maps, polygon, gap: 0.1, near, links, squares: None }
+    ConnectedCertificate { maps, polygon, gap: 0.1, near, links, squares: None, exact: None }
 }
 
 const LEFT: [f64; 2] = [-1.0, 0.0];
@@ -47,6 +47,7 @@ fn gasket() -> ConnectedCertificate {
         near: Vec::new(),
         links: vec![point(0, 1), point(2, 1)],
         squares: None,
+        exact: None,
     }
 }
 
@@ -298,6 +299,7 @@ fn certificates_of_both_kinds_are_told_apart_as_text() {
         letters: 1,
         side: vec![0, 1],
         pairs: vec![Pair { u: vec![0], v: vec![1], normal: [1.0, 0.0] }],
+        exact: None,
     };
     let back = Proof::from_json(&dust.to_json().unwrap()).unwrap();
     assert!(matches!(back.check(), Ok(CheckedProof::Disconnected(_))));

@@ -13,6 +13,7 @@ fn dust(scale: f64, margin: f64) -> Certificate {
         letters: 1,
         side: vec![0, 1],
         pairs: Vec::new(),
+        exact: None,
     };
     descend(&mut certificate, vec![0], vec![1]);
     certificate
@@ -86,6 +87,7 @@ fn the_last_digit_counts() {
             letters: 1,
             side: vec![0, 1],
             pairs: vec![Pair { u: vec![0], v: vec![1], normal: [1.0, 0.0] }],
+            exact: None,
         }
     };
     // Reaches from -gap/2 to 1/2 + 3 gap/2, against 1/2 + gap - gap/2 and on: not apart, whatever the gap.
@@ -98,6 +100,7 @@ fn the_last_digit_counts() {
         letters: 1,
         side: vec![0, 1],
         pairs: vec![Pair { u: vec![0], v: vec![1], normal: [1.0, 0.0] }],
+        exact: None,
     };
     assert!(check(&points(1.0 + f64::EPSILON)).is_ok());
     assert_eq!(check(&points(1.0)).unwrap_err().code(), "not-apart");
@@ -250,6 +253,7 @@ fn the_cut_must_be_one() {
         letters: 1,
         side: vec![0, 0, 1],
         pairs: [0, 1].map(|i| Pair { u: vec![i], v: vec![2], normal: [1.0, 0.0] }).to_vec(),
+        exact: None,
     };
     assert!(check(&three).is_ok());
     three.side = vec![0, 1, 1];
@@ -262,7 +266,8 @@ fn blocks_must_all_contract() {
     // Nilpotent, of large norm: no box round in the plane is mapped into itself by single letters.
     let maps = vec![[0.0, 1.2, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.6, 0.0, 0.0, 2.0]];
     let square = vec![[-4.0, -4.0], [4.0, -4.0], [4.0, 4.0], [-4.0, 4.0]];
-    let mut blocks = Certificate { maps, polygon: square, letters: 1, side: vec![0, 1], pairs: Vec::new() };
+    let mut blocks =
+        Certificate { maps, polygon: square, letters: 1, side: vec![0, 1], pairs: Vec::new(), exact: None };
     blocks.pairs.push(Pair { u: vec![0], v: vec![1], normal: [0.0, 1.0] });
     assert_eq!(check(&blocks).unwrap_err(), Refused::NotInside { word: vec![0] });
     // Not even those of two letters; a flat box of single ones does.

@@ -11,6 +11,7 @@ fn plain() -> Certificate {
         letters: 1,
         side: vec![0, 1],
         pairs: vec![Pair { u: vec![0], v: vec![1], normal: [1.0, 0.0] }],
+        exact: None,
     }
 }
 

@@ -19,6 +19,7 @@ fn plain(found: &Certificate) -> frond_check::Certificate {
         letters: found.letters,
         side: found.side.clone(),
         pairs: found.pairs.iter().map(pair).collect(),
+        exact: None,
     }
 }
 

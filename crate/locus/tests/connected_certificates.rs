@@ -38,6 +38,7 @@ fn plain(found: &ConnectedCertificate) -> frond_check::ConnectedCertificate {
             size: squares.size.to_array(),
             cells: squares.cells.iter().map(|&([x, y], [k, l])| (x, y, k, l)).collect(),
         }),
+        exact: None,
     }
 }
 

@@ -87,6 +87,7 @@ fn proved(ifs: &Ifs, a: &Connectedness) -> Result<(), TestCaseError> {
                 letters: found.letters,
                 side: found.side.clone(),
                 pairs: found.pairs.iter().map(pair).collect(),
+                exact: None,
             };
             prop_assert!(check(&plain).is_ok(), "{:?} {:?}", check(&plain), a);
         }

@@ -127,6 +127,7 @@ pub(crate) fn certificate(
             letters: found.letters,
             side: found.side,
             pairs: found.pairs.into_iter().map(pair).collect(),
+            exact: None,
         })?))
     })
 }
@@ -152,6 +153,7 @@ pub(crate) fn connected_certificate(
                 size: squares.size.to_array(),
                 cells: squares.cells.into_iter().map(|([x, y], [k, l])| (x, y, k, l)).collect(),
             }),
+            exact: None,
         })?))
     })
 }

@@ -96,6 +96,8 @@ export interface Certificate {
   side: (0 | 1)[];
   /** Pieces that are apart, as words (letters from 0), and a direction that shows it. */
   pairs: { u: number[]; v: number[]; normal: [x: number, y: number] }[];
+  /** Without it the doubles of `maps` are meant. */
+  exact?: ExactEntries;
 }
 
 /** A proof that an attractor is in one piece, which `checkCertificate` replays in exact arithmetic. Letters from 0. */
@@ -115,6 +117,18 @@ export interface ConnectedCertificate {
     /** Column and row from the origin, and two maps: x -> L^-1 (x - (t_k - t_l)) takes the square into squares. */
     cells: [x: number, y: number, k: number, l: number][];
   };
+  /** Without it the doubles of `maps` are meant. */
+  exact?: ExactEntries;
+}
+
+/** Entries of maps that are exactly numbers of one field, powers of a root of a polynomial with fractions before them. */
+export interface ExactEntries {
+  /** Whole numbers as texts, the constant term first; `["0", "1"]` for fractions. */
+  polynomial: string[];
+  /** Fractions such as "7/4": the one root between these is meant. */
+  root: [low: string, high: string];
+  /** `entry` counts `[a, b, c, d, e, f]` from 0. `value`: the fractions before 1, the root, its square and so on. */
+  entries: { map: number; entry: number; value: string[] }[];
 }
 
 export type CertifiedLink =

@@ -30,6 +30,7 @@ pub fn certificate(
         letters: found.letters,
         side: found.side,
         pairs: found.pairs.into_iter().map(pair).collect(),
+        exact: None,
     })
 }
 
@@ -66,6 +67,7 @@ pub fn connected_certificate(
             size: point(squares.size),
             cells: squares.cells.into_iter().map(|([x, y], [k, l])| (x, y, k, l)).collect(),
         }),
+        exact: None,
     })
 }
 

@@ -1,0 +1,8 @@
+//! Maps whose entries are numbers of one field `Q[x] / (p)`: what is equal there is decided, nothing is rounded.
+
+mod entries;
+mod numeral;
+mod points;
+mod ring;
+
+pub(crate) use entries::{Field, cost_reading};
