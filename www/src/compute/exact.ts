@@ -35,11 +35,11 @@ export function meantNow(): Meant | null {
   return numbers.length > 0 ? { maps: shape.maps, numbers } : null;
 }
 
-export interface ExactAnswer extends ExactProof {
+export type ExactAnswer = ExactProof & {
   check: CertificateCheck | null;
   /** The formulas that it is about. */
   numbers: readonly string[];
-}
+};
 
 const queue = new Coalesce(submit);
 /** Asks for a proof about the numbers that are meant; null where there is none to be had. */
@@ -79,7 +79,7 @@ export async function settle(maps: MapRow[], epsilon: number): Promise<void> {
       gap: { lower: 0, upper: 0 },
       components: whole,
       count: 1,
-      ...(answer.reason ? { reason: answer.reason } : {}),
+      reason: answer.reason,
     },
   };
 }

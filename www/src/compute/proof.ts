@@ -52,8 +52,14 @@ export function prove(): void {
     .catch(() => null)
     .then((exact) => {
       if (latest.peek()?.maps !== maps) return;
-      const { certificate, check, numbers } = exact ?? {};
-      if (certificate && check?.valid) set({ state: "there", maps, certificate, check, numbers });
+      if (exact && exact.state !== "undecided" && exact.check?.valid)
+        set({
+          state: "there",
+          maps,
+          certificate: exact.certificate,
+          check: exact.check,
+          numbers: exact.numbers,
+        });
       else proveDoubles(maps, epsilon, connected, set);
     });
 }

@@ -128,8 +128,10 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
   },
   async exact({ frond }, { module, maps, numbers, epsilon }) {
     const found = (await startExact(module)).proveExact({ maps }, [...numbers], { epsilon });
-    const { certificate } = found;
-    return { ...found, check: certificate ? frond.checkCertificate(certificate) : null };
+    return {
+      ...found,
+      check: found.state === "undecided" ? null : frond.checkCertificate(found.certificate),
+    };
   },
   analysis: async (_, { module, maps, numbers }) =>
     (await startExact(module)).analyze({ maps }, [...numbers], {}),
