@@ -50,6 +50,12 @@ pub enum ExactError {
     /// A number is complex where it has to be real.
     #[error("a number is not real")]
     NotReal,
+    /// A number is beyond all doubles, or its double is zero.
+    #[error("no double stands for the number")]
+    NoDouble,
+    /// A number has the same nearest double as another one.
+    #[error("the number has the same nearest double as another one of the list")]
+    SameDouble,
     /// A list has another length than the dimension asks for, a state is none, or there is no map.
     #[error("the system is not well formed")]
     Malformed,
@@ -100,6 +106,8 @@ impl ExactError {
             Self::NotFormula { .. } => "exact-not-formula",
             Self::NotExact { .. } => "exact-not-exact",
             Self::NotReal => "exact-not-real",
+            Self::NoDouble => "exact-no-double",
+            Self::SameDouble => "exact-same-double",
             Self::Malformed => "exact-malformed",
             Self::TooMany { .. } => "exact-too-many",
             Self::Singular { .. } => "exact-singular",

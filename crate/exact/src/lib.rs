@@ -20,6 +20,7 @@ pub use number::rational::Rational;
 pub use number::roots::{ComplexInterval, Root};
 pub use number::value::Number;
 pub use system::build::{DoubleMap, FieldMap, MOST_MAPS, MOST_STATES, RealMap, System};
+pub use system::numbers::{ExactNumber, ExactNumbers, ExactRows, MOST_NUMBERS, WrongNumber};
 pub use system::projected::VectorMap;
 
 #[cfg(doctest)]

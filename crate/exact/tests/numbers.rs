@@ -63,3 +63,19 @@ fn what_is_no_exact_number_is_refused() {
     assert!(Number::parse("1+").is_err());
     assert!(Number::parse("cos(1)").is_err());
 }
+
+#[test]
+fn formulas_that_would_grow_without_end_are_refused() {
+    for text in [
+        format!("{}2{}", "(".repeat(30), ")^64".repeat(30)),
+        format!("{}1+sqrt(2){}", "(".repeat(30), ")^64".repeat(30)),
+        format!("{}1/3{}", "(".repeat(60), ")²".repeat(60)),
+        format!("{}7{}", "sqrt(1+".repeat(25), ")".repeat(25)),
+        "1+".repeat(101),
+        "(".repeat(200),
+        "sqrt(2)+sqrt(3)+sqrt(5)+sqrt(7)+sqrt(11)".into(),
+        "2^(1/64)+3^(1/64)".into(),
+    ] {
+        assert!(Number::parse(&text).is_err(), "{text}");
+    }
+}

@@ -164,20 +164,22 @@ fn divided_by(
     lifted: &[Vec<BigInt>],
     modulus: &BigInt,
 ) -> Option<(Vec<BigInt>, Vec<BigInt>)> {
-    let mut product = vec![f[f.len() - 1].clone()];
+    let (half, lead) = (modulus / 2, &f[f.len() - 1]);
+    let symmetric = |c: BigInt| if c > half { c - modulus } else { c };
+    // Few sets have a constant term that divides, as that of a factor does: the others are told at once.
+    let constant = chosen.iter().fold(lead.clone(), |c, &k| (c * &lifted[k][0]).mod_floor(modulus));
+    let constant = symmetric(constant);
+    if constant.is_zero() || !(lead * &f[0]).is_multiple_of(&constant) {
+        return None;
+    }
+    let mut product = vec![lead.clone()];
     for &k in chosen {
         product = whole_product(&product, &lifted[k]);
         for c in &mut product {
             *c = c.mod_floor(modulus);
         }
     }
-    let half = modulus / 2;
-    for c in &mut product {
-        if *c > half {
-            *c -= modulus;
-        }
-    }
-    let factor = without_content(product);
+    let factor = without_content(product.into_iter().map(symmetric).collect());
     let (quotient, rest) = Polynomial::of_whole(f).divided(&Polynomial::of_whole(&factor))?;
     rest.is_zero().then(|| (factor, quotient.primitive()))
 }

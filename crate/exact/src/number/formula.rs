@@ -13,6 +13,10 @@ const LONGEST: usize = 200;
 const LARGEST_EXPONENT: i32 = 400;
 /// The largest whole exponent of a power.
 const LARGEST_POWER: i32 = 64;
+/// Binary digits of the numbers that a value is made of.
+const LARGEST_VALUE: u64 = 1400;
+/// Binary digits that a power is computed with.
+const LARGEST_WORK: u64 = 20_000;
 
 impl Number {
     /// The number that a formula means. Decimals are fractions: 0.1 is one tenth. Degrees and multiples of pi may stand
@@ -21,8 +25,8 @@ impl Number {
     /// # Errors
     /// [`ExactError::NotFormula`], [`ExactError::NotExact`], or what went wrong in the arithmetic.
     pub fn parse(text: &str) -> Result<Self, ExactError> {
-        if text.len() > LONGEST {
-            return Err(ExactError::NotFormula { at: LONGEST });
+        if text.chars().count() > LONGEST {
+            return Err(ExactError::NotFormula { at: text.len() });
         }
         let mut reader = Reader { all: text, rest: text.trim_start() };
         let found = reader.sum()?;
@@ -67,6 +71,11 @@ impl Reader<'_> {
         }
     }
 
+    /// Nothing grows without end, however often it is multiplied.
+    fn bounded(&self, number: Number) -> Result<Part, ExactError> {
+        if digits(&number) > LARGEST_VALUE { Err(self.inexact()) } else { Ok(Part::Number(number)) }
+    }
+
     fn skip(&mut self, length: usize) {
         self.rest = self.rest[length..].trim_start();
     }
@@ -96,7 +105,7 @@ impl Reader<'_> {
                 (Part::Angle(a), Part::Angle(b)) => Part::Angle(if sign == '+' { &a + &b } else { &a - &b }),
                 (a, b) => {
                     let (a, b) = (self.number(a)?, self.number(b)?);
-                    Part::Number(if sign == '+' { a.plus(&b)? } else { a.minus(&b)? })
+                    self.bounded(if sign == '+' { a.plus(&b)? } else { a.minus(&b)? })?
                 }
             };
         }
@@ -113,7 +122,7 @@ impl Reader<'_> {
                 let next = self.signed()?;
                 let divisor = self.number(next)?;
                 product = match product {
-                    Part::Number(a) => Part::Number(a.over(&divisor)?),
+                    Part::Number(a) => self.bounded(a.over(&divisor)?)?,
                     Part::Angle(t) => {
                         let divisor = divisor.as_rational().ok_or(self.inexact())?;
                         Part::Angle((&t / divisor).ok_or(ExactError::DivisionByZero)?)
@@ -133,7 +142,7 @@ impl Reader<'_> {
 
     fn multiplied(&self, a: Part, b: Part) -> Result<Part, ExactError> {
         match (a, b) {
-            (Part::Number(a), Part::Number(b)) => Ok(Part::Number(a.times(&b)?)),
+            (Part::Number(a), Part::Number(b)) => self.bounded(a.times(&b)?),
             (Part::Angle(t), Part::Number(number)) | (Part::Number(number), Part::Angle(t)) => {
                 Ok(Part::Angle(&t * number.as_rational().ok_or(self.inexact())?))
             }
@@ -165,7 +174,10 @@ impl Reader<'_> {
         let exponent = exponent.as_rational().ok_or(self.inexact())?;
         let small = |n: BigInt| n.to_i32().filter(|n| n.abs() <= LARGEST_POWER).ok_or(self.inexact());
         let (numerator, denominator) = (small(exponent.numerator())?, small(exponent.denominator())?);
-        Ok(Part::Number(base.root(denominator.unsigned_abs())?.power(numerator)?))
+        let root = base.root(denominator.unsigned_abs())?;
+        let field = root.field().polynomial().iter().map(BigInt::bits).max().unwrap_or(0);
+        let work = (digits(&root) + field).saturating_mul(numerator.unsigned_abs().into());
+        if work > LARGEST_WORK { Err(self.inexact()) } else { self.bounded(root.power(numerator)?) }
     }
 
     fn suffixed(&mut self) -> Result<Part, ExactError> {
@@ -178,7 +190,7 @@ impl Reader<'_> {
         }
         match self.takes(&['²', '³']) {
             None => Ok(part),
-            Some(sign) => Ok(Part::Number(self.number(part)?.power(if sign == '²' { 2 } else { 3 })?)),
+            Some(sign) => self.bounded(self.number(part)?.power(if sign == '²' { 2 } else { 3 })?),
         }
     }
 
@@ -265,4 +277,10 @@ impl Reader<'_> {
         let scale = Rational::whole(10).power(power).ok_or(ExactError::DivisionByZero)?;
         Ok(Part::Number((&Rational::from(whole) * &scale).into()))
     }
+}
+
+/// The most binary digits of a numerator or denominator.
+fn digits(number: &Number) -> u64 {
+    let parts = number.element().coefficients().iter();
+    parts.map(|x| x.numerator().bits().max(x.denominator().bits())).max().unwrap_or(0)
 }

@@ -48,13 +48,10 @@ impl Interval {
         if shift == 0 {
             return Self::point(number.to_f64().unwrap_or(f64::NAN));
         }
-        let Ok(power) = i32::try_from(shift) else { return Self::everything() };
         let head = (number.magnitude() >> shift).to_f64().unwrap_or(f64::INFINITY);
-        let scale = 2f64.powi(power);
-        if !scale.is_finite() {
-            return Self::everything();
-        }
-        let size = Self::new(head * scale, (head + 1.0) * scale);
+        let scale = i32::try_from(shift).map_or(f64::INFINITY, |power| 2f64.powi(power));
+        // What is beyond all doubles is at least the last of them.
+        let size = Self::new((head * scale).min(f64::MAX), (head + 1.0) * scale);
         if number.sign() == Sign::Minus { -size } else { size }
     }
 
@@ -318,6 +315,19 @@ mod tests {
                 "{known} {found:?}"
             );
             assert!(found.width() < 1e-13 * known.abs(), "{known} {found:?}");
+        }
+    }
+
+    #[test]
+    fn numbers_beyond_all_doubles_are_above_the_last() {
+        for bits in [1023u32, 1024, 1050, 1100, 5000] {
+            let size = Interval::of_large(&(BigInt::from(1) << bits));
+            let first = if bits == 1023 { 2f64.powi(1023) } else { f64::MAX };
+            assert!(
+                size.lower() <= first && size.lower() > 1e307 && size.upper() >= first,
+                "{bits} {size:?}"
+            );
+            assert!(bits == 1023 || size.upper() == f64::INFINITY, "{bits} {size:?}");
         }
     }
 
