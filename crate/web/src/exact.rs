@@ -3,7 +3,7 @@
 use frond_exact::{
     Analysis, Dimension, ExactNumber, ExactNumbers, MOST_NUMBERS, OpenSetCondition, Reason, Settings,
 };
-use js_sys::{Array, Reflect};
+use js_sys::Array;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
