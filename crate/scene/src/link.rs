@@ -39,8 +39,8 @@ use locus::{read_locus, read_way_points, write_locus};
 use space::{read_space, write_space};
 use turns::Counting;
 use words::{
-    choice, colour_words, damaged, escape, formula_words, is_colour, joined, name_of, number, numbers,
-    read_colours, read_formulas, read_list, read_numbers, tidy, unescape, within,
+    choice, colour_words, damaged, escape, is_colour, joined, name_of, number, numbers, read_colours,
+    read_formulas, read_list, read_numbers, tidy, unescape, within,
 };
 
 /// The version that is written.
@@ -267,7 +267,7 @@ fn write_shape(link: &mut String, key: &str, shape: &Shape) {
         let _ = write!(link, "&{key}-weights={}", numbers(&shape.weights));
     }
     if !shape.exact.is_empty() {
-        let _ = write!(link, "&{key}-exact={}", formula_words(&shape.exact));
+        let _ = write!(link, "&{key}-exact={}", joined(&shape.exact, ","));
     }
 }
 

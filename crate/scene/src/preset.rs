@@ -150,9 +150,15 @@ pub fn preset(id: &str) -> Option<Preset> {
     presets().into_iter().find(|preset| preset.id == id)
 }
 
+/// Copies by one linear part, and moved.
+fn copies(linear: [f64; 4], shifts: &[[f64; 2]]) -> Vec<Row> {
+    let [a, b, c, d] = linear;
+    shifts.iter().map(|[e, f]| [a, b, c, d, *e, *f]).collect()
+}
+
 /// Copies scaled by `ratio`, without a turn, and moved.
 fn shrunk(ratio: f64, shifts: &[[f64; 2]]) -> Vec<Row> {
-    shifts.iter().map(|[x, y]| [ratio, 0.0, 0.0, ratio, *x, *y]).collect()
+    copies([ratio, 0.0, 0.0, ratio], shifts)
 }
 
 /// Copies scaled by a third into cells of a 3 x 3 board.
@@ -213,29 +219,29 @@ fn pentagon() -> Vec<Row> {
     shrunk(ratio, &[[0.0, 0.618_033_988_749_894_9], [-x1, y1], [-x2, y2], [x2, y2], [x1, y1]])
 }
 
-fn hexagon() -> Vec<Row> {
+/// The middle, and the corners of the hexagon of size 2/3 around it.
+const HEXAGON: [[f64; 2]; 7] = {
     // sqrt 3 / 3.
     let height = 0.577_350_269_189_625_7;
     let (far, near) = (2.0 / 3.0, THIRD);
-    let corners =
-        [[far, 0.0], [near, height], [-near, height], [-far, 0.0], [-near, -height], [near, -height]];
-    shrunk(THIRD, &corners)
+    [[0.0, 0.0], [far, 0.0], [near, height], [-near, height], [-far, 0.0], [-near, -height], [near, -height]]
+};
+
+fn hexagon() -> Vec<Row> {
+    shrunk(THIRD, &HEXAGON[1..])
 }
 
 fn hexaflake() -> Vec<Row> {
-    let mut maps = shrunk(THIRD, &[[0.0, 0.0]]);
-    maps.extend(hexagon());
-    maps
+    shrunk(THIRD, &HEXAGON)
 }
 
 /// Seven copies scaled by 1 / sqrt 7 and turned, one in the middle and six around it.
 fn gosper() -> Vec<Row> {
     // 1 / (2 + w) with w = (1 + i sqrt 3) / 2, whose square is 1/7, and its products with the powers of w.
-    let [one, two, three] = [0.123_717_914_826_348_38, 0.247_435_829_652_696_75, 0.371_153_744_479_045_14];
-    let (re, im) = (5.0 / 14.0, -one);
-    let around = [[re, im], [2.0 / 7.0, two], [-1.0 / 14.0, three]];
-    let shifts = around.into_iter().chain(around.map(|[x, y]| [-x, -y]));
-    std::iter::once([0.0, 0.0]).chain(shifts).map(|[e, f]| [re, -im, im, re, e, f]).collect()
+    let (re, im) = (5.0 / 14.0, -0.123_717_914_826_348_38);
+    let (x, y) = (2.0 / 7.0, 0.247_435_829_652_696_75);
+    let (p, q) = (-1.0 / 14.0, 0.371_153_744_479_045_14);
+    copies([re, -im, im, re], &[[0.0, 0.0], [re, im], [x, y], [p, q], [-re, -im], [-x, -y], [-p, -q]])
 }
 
 fn maple() -> Vec<Row> {

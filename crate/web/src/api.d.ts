@@ -397,7 +397,7 @@ export interface Shape {
   /** How often the chaos game takes each map, as shares, whatever their sum. Absent: in proportion to its area. */
   weights?: number[];
   /**
-   * Formulas of numbers, such as "1/3" or "sqrt(3)/6", in lower case, 64 at most. Where an entry of a map is the double
+   * Formulas of numbers, such as "1/3", "sqrt(3)/6" or "2**(1/3)", in lower case, 64 at most. Where an entry of a map is the double
    * nearest to one of them or to its negative, that number is meant, and not the double.
    */
   exact?: string[];

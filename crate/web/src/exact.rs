@@ -108,7 +108,8 @@ fn write_analysis(found: &Analysis) -> Result<JsValue, JsValue> {
 }
 
 fn reason(reason: &Reason) -> JsValue {
-    let counted = |kind: &str, count: usize| object(&[("kind", kind.into()), ("count", (count as u32).into())]);
+    let counted =
+        |kind: &str, count: usize| object(&[("kind", kind.into()), ("count", (count as u32).into())]);
     let plain = |kind: &str| object(&[("kind", kind.into())]);
     match reason {
         Reason::FiniteType => plain("finite-type"),

@@ -1,6 +1,6 @@
 /** Formulas that entries of maps mean exactly, read by a module that is fetched for them. */
 import { type ReadonlySignal, signal } from "@preact/signals";
-import { doubleOf, learn } from "#geometry/maps/exact";
+import { sizes } from "#geometry/maps/exact";
 import { loadExact } from "#wasm/exact";
 
 /** A formula of an exact number: the double nearest to it, and the formula in its shortest form. */
@@ -23,22 +23,36 @@ export async function readExact(formulas: readonly string[]): Promise<(ExactNumb
   const found = readNumbers([...formulas]).map((one) =>
     "problem" in one ? null : { value: one.value, formula: linked(one.text) },
   );
-  for (const one of found) if (one) learn(one.formula, one.value);
+  for (const one of found) if (one) learn(one);
   reads.value++;
   return found;
 }
 
+const learn = ({ formula, value }: ExactNumber) => sizes.set(formula, Math.abs(value));
+
+/** The formula among these that an entry of a map means; of its opposite with a minus. */
+export function formulaAt(x: number, formulas: readonly string[]): string | undefined {
+  const formula = formulas.find((one) => sizes.get(one) === Math.abs(x));
+  if (formula === undefined || x >= 0) return formula;
+  const isTerm = !/[+-]/.test(formula) || /^\(.*\)\/\d+$/.test(formula);
+  return isTerm ? `-${formula}` : `-(${formula})`;
+}
+
 /** In the words of a link. */
-const linked = (text: string) => text.replace(/\s/g, "").replace(/√(\d+)/g, "sqrt($1)");
+const linked = (text: string) =>
+  text
+    .replace(/\s/g, "")
+    .replace(/√(\d+)/g, "sqrt($1)")
+    .replace(/\^/g, "**");
 
 /** Learns the doubles of formulas that came with a link. */
 export async function learnFormulas(formulas: readonly string[]): Promise<void> {
-  const unknown = formulas.filter((formula) => doubleOf(formula) === undefined);
+  const unknown = formulas.filter((formula) => !sizes.has(formula));
   if (unknown.length === 0) return;
   const found = await readExact(unknown);
   for (const [k, formula] of unknown.entries()) {
     const one = found[k];
-    if (one) learn(formula, one.value);
+    if (one) learn({ ...one, formula });
   }
   reads.value++;
 }

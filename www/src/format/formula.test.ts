@@ -128,7 +128,7 @@ describe("formulaOf", () => {
     expect(formulaOf("2√3/4")).toBe("2sqrt3/4");
     expect(formulaOf("−COS 60°/3")).toBe("-cos60deg/3");
     expect(formulaOf("0,25")).toBe("0.25");
-    expect(formulaOf("½ π²")).toBe("(1/2)pi^2");
+    expect(formulaOf("½ π²")).toBe("(1/2)pi**2");
     expect(formulaOf("33%")).toBe("(33)/100");
   });
 

@@ -122,22 +122,18 @@ pub(crate) fn read_colours(text: &str, most: usize) -> Option<Vec<String>> {
 const MAX_FORMULAS: usize = 64;
 const MAX_FORMULA: usize = 200;
 
-/// Formulas with commas in between. Plus and the sign of a power are escaped: mail programs and browsers change them.
-pub(crate) fn formula_words(formulas: &[String]) -> String {
-    joined(formulas, ",").replace('+', "%2B").replace('^', "%5E")
-}
-
-/// The same read again, without knowing what they mean.
+/// Formulas with commas in between, without knowing what they mean. A power is written as two stars.
 pub(crate) fn read_formulas(text: &str) -> Option<Vec<String>> {
-    let formulas: Vec<String> =
-        unescape(text).split(',').take(MAX_FORMULAS + 1).map(ToOwned::to_owned).collect();
-    let is_formula = |formula: &String| {
-        (1..=MAX_FORMULA).contains(&formula.len())
-            && formula
-                .bytes()
-                .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b"./()*-+^".contains(&b))
-    };
-    (formulas.len() <= MAX_FORMULAS && formulas.iter().all(is_formula)).then_some(formulas)
+    let mut formulas = Vec::new();
+    for part in unescape(text).split(',') {
+        let is_letter = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b"./()*-+".contains(&b);
+        let is_formula = !part.is_empty() && part.len() <= MAX_FORMULA && part.bytes().all(is_letter);
+        if !is_formula || formulas.len() == MAX_FORMULAS {
+            return None;
+        }
+        formulas.push(part.to_owned());
+    }
+    Some(formulas)
 }
 
 /// A name without control characters and not too long.

@@ -1,8 +1,7 @@
 import { useRef } from "preact/hooks";
-import { formulasRead } from "#document/exact";
+import { formulaAt, formulasRead } from "#document/exact";
 import { digitsApart } from "#format/numbers";
 import { compose, decompose, type Parts } from "#geometry/maps/affine2";
-import { formulaAt } from "#geometry/maps/exact";
 import { NumberField } from "#ui/controls/NumberField";
 import { useProblems } from "#ui/controls/problems";
 import { fieldName, formulaTyped, typedAs } from "#ui/controls/typed";

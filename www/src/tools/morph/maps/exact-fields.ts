@@ -28,6 +28,7 @@ export const shownExact = (formula: string | undefined): string | undefined =>
     ?.replace(/sqrt\((\d+)\)/g, "√$1")
     .replace(/sqrt/g, "√")
     .replace(/(\d)deg/g, "$1°")
+    .replace(/\*\*/g, "^")
     .replace(/-/g, "−");
 
 /**
