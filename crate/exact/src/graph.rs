@@ -2,5 +2,6 @@
 
 pub(crate) mod analysis;
 pub(crate) mod growth;
+pub(crate) mod meeting;
 pub(crate) mod neighbours;
 pub(crate) mod types;

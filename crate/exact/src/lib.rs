@@ -12,6 +12,7 @@ mod system;
 
 pub use error::ExactError;
 pub use graph::analysis::{Analysis, Boundary, Dimension, OpenSetCondition, Reason, Settings, analyze};
+pub use graph::meeting::{Address, MOST_LETTERS, Meeting, SharedPoint, meeting};
 pub use graph::neighbours::Overlap;
 pub use num_bigint::BigInt;
 pub use number::field::{Element, Field, LARGEST_FIELD};

@@ -14,7 +14,7 @@
 //! `Connected` and `Disconnected` are theorems about the maps as they are given; `Touching` says no more than that the
 //! pieces come within epsilon of each other. A [`Reason`] shows the one, and a [`connected_certificate`] writes it down
 //! for the crate `frond-check` to replay; a [`certificate`] shows the other: a polygon and pairs of words that are
-//! apart. [`decide`] is the same in microseconds,
+//! apart. [`prove_exact`] does both for maps with exact numbers, such as 1/3. [`decide`] is the same in microseconds,
 //! [`decide_bounds`] with bounds. [`barnsley_test`] and [`IndexBuffer`] are the tests of Burch & Hart (1997), which
 //! estimate.
 //!
@@ -98,6 +98,7 @@ pub use evidence::connected_certificate::{
     CertifiedLink, ConnectedCertificate, Squares, connected_certificate,
 };
 pub use evidence::far_parts::Far;
+pub use evidence::meant::{ExactProof, Unproved, prove_exact};
 pub use evidence::reason::{Link, LinkKind, Reason};
 pub use evidence::separate::Separation;
 pub use family::{Drift, Family, Polygons, Slice};

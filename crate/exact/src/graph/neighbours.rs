@@ -15,10 +15,11 @@ use crate::system::build::System;
 use crate::system::frame::Frame;
 use crate::system::real::{distance, plus};
 
-/// What becomes of a pair where its pieces are cut: the edge of the first piece, unless that stays whole.
+/// What becomes of a pair where its pieces are cut: the edges of both pieces, unless one stays whole.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     pub first: Option<usize>,
+    pub second: Option<usize>,
     pub to: usize,
 }
 
@@ -59,13 +60,16 @@ type Key = (usize, usize, Matrix, Vec<Rational>);
 /// Sizes are told apart if their logarithms differ by more.
 const SAME_SIZE: f64 = 1e-9;
 
+/// Numbers with more binary digits are long: the time for a pair grows with the square of their length.
+const LONG_NUMBER: u64 = 192;
+
 struct Inverse {
     linear: Matrix,
     shift: Vec<Rational>,
 }
 
 impl Graph {
-    /// All pairs, up to a number of them. The hook is told how many there are, and ends the search by `false`.
+    /// All pairs, up to a number of them, where those with long numbers count more. The hook is told how many there are, and ends the search by `false`.
     pub fn new(
         system: &System,
         frame: &Frame,
@@ -98,9 +102,9 @@ impl Graph {
             relative.push(0.0);
             nodes.push(Node { first: state, is_same: true, steps: Vec::new(), parent: None });
         }
-        let (mut overlap, mut is_complete, mut next) = (None, true, 0);
+        let (mut overlap, mut is_complete, mut next, mut length) = (None, true, 0, 0);
         'all: while next < nodes.len() {
-            if nodes.len() > budget || (next % 64 == 0 && !goes_on(nodes.len())) {
+            if nodes.len() + length > budget || (next % 64 == 0 && !goes_on(nodes.len())) {
                 is_complete = false;
                 break;
             }
@@ -142,6 +146,7 @@ impl Graph {
                     }
                     let to = known.unwrap_or_else(|| {
                         let to = nodes.len();
+                        length += cost(&key);
                         let parent = Some((next, first, second));
                         nodes.push(Node { first: to_a, is_same: false, steps: Vec::new(), parent });
                         relative.push(size);
@@ -153,8 +158,8 @@ impl Graph {
                     if is_overlap && overlap.is_none() {
                         overlap = Some(words(&nodes, next, first, second));
                     }
-                    nodes[next].steps.push(Step { first, to });
-                    if nodes.len() > budget {
+                    nodes[next].steps.push(Step { first, second, to });
+                    if nodes.len() + length > budget {
                         is_complete = false;
                         break 'all;
                     }
@@ -203,6 +208,12 @@ fn words(nodes: &[Node], at: usize, first: Option<usize>, second: Option<usize>)
     one.reverse();
     other.reverse();
     Overlap { state: nodes[at].first, first: one, second: other }
+}
+
+/// What a pair with long numbers costs besides itself: those of doubles grow with each letter.
+fn cost((_, _, linear, shift): &Key) -> usize {
+    let longest = linear.entries().iter().chain(shift).map(Rational::bits).max().unwrap_or(0);
+    usize::try_from((longest / LONG_NUMBER).pow(2)).unwrap_or(usize::MAX)
 }
 
 fn are_apart(frame: &Frame, (a, b, linear, shift): &Key) -> bool {

@@ -12,7 +12,7 @@ use crate::number::polynomial::{Polynomial, without_content};
 /// The degree up to which polynomials are factored.
 pub(crate) const LARGEST_DEGREE: usize = 64;
 /// Sets of factors modulo a prime that are tried.
-const MOST_TRIALS: usize = 50_000;
+const MOST_TRIALS: usize = 6_000;
 const PRIMES: [u64; 24] =
     [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97];
 /// Primes that are tried for the one with the fewest factors.

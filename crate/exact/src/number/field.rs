@@ -397,7 +397,7 @@ impl Field {
 }
 
 /// The least and the largest value that Horner's rule allows on an interval of fractions.
-fn between(coefficients: &[Rational], lower: &Rational, upper: &Rational) -> (Rational, Rational) {
+pub(crate) fn between(coefficients: &[Rational], lower: &Rational, upper: &Rational) -> (Rational, Rational) {
     let (mut low, mut high) = (Rational::ZERO, Rational::ZERO);
     for c in coefficients.iter().rev() {
         let mut all = [&low * lower, &low * upper, &high * lower, &high * upper];

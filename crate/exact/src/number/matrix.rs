@@ -30,6 +30,10 @@ impl Matrix {
         self.size
     }
 
+    pub fn entries(&self) -> &[Rational] {
+        &self.entries
+    }
+
     pub fn row(&self, k: usize) -> &[Rational] {
         &self.entries[k * self.size..(k + 1) * self.size]
     }

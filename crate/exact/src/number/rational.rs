@@ -125,6 +125,14 @@ impl Rational {
         }
     }
 
+    /// The binary digits of the longer of both numbers; 0 for what fits into machine words.
+    pub(crate) fn bits(&self) -> u64 {
+        match &self.0 {
+            Form::Small(..) => 0,
+            Form::Large(both) => both.0.bits().max(both.1.bits()),
+        }
+    }
+
     /// Negative, zero or positive.
     #[must_use]
     pub fn sign(&self) -> Ordering {

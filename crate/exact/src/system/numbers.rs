@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use thiserror::Error;
 
 use crate::error::ExactError;
-use crate::number::field::{Element, Field};
+use crate::number::field::{Element, Field, between};
 use crate::number::rational::Rational;
 use crate::number::value::Number;
 use crate::system::build::{RealMap, System};
@@ -249,14 +249,16 @@ impl ExactRows {
         sum.is_some_and(std::cmp::Ordering::is_ge)
     }
 
-    /// The ends of an interval with the generator of the field in it, and no other root of its polynomial: decimals of
-    /// few digits.
+    /// The ends of an interval around the generator of the field, in which its polynomial rises or falls all along, as
+    /// Horner's rule shows for the slope: decimals of few digits.
     #[must_use]
     pub fn root_within(&self) -> Option<[Rational; 2]> {
+        if self.field.degree() == 1 {
+            return Some([Rational::whole(-1), Rational::ONE]);
+        }
         let place = self.field.root().place.re;
-        let roots = self.field.roots().iter().filter(|root| root.is_real);
-        let others: Vec<_> = roots.map(|root| root.place.re).filter(|other| !other.meets(place)).collect();
-        for digits in 1..17 {
+        let slope = self.field.monic().derivative();
+        for digits in 6..17 {
             let scale = Rational::from(BigInt::from(10).pow(digits));
             let shifted = |x: f64, up: bool| {
                 let scaled = &Rational::from_f64(x)? * &scale;
@@ -265,11 +267,8 @@ impl ExactRows {
             };
             // Beyond what is known of the root, so that it is in the inside.
             let (lower, upper) = (shifted(place.lower().next_down(), false)?, shifted(place.upper(), true)?);
-            let is_alone = others.iter().all(|other| {
-                let ends = [other.lower(), other.upper()].map(Rational::from_f64);
-                matches!(&ends, [Some(low), Some(high)] if *high < lower || upper < *low)
-            });
-            if is_alone && digits >= 3 {
+            let (low, high) = between(slope.coefficients(), &lower, &upper);
+            if low.sign() == high.sign() && !low.is_zero() {
                 return Some([lower, upper]);
             }
         }

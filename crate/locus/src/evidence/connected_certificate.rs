@@ -1,6 +1,7 @@
 //! Proofs of connectedness that can be handed on.
 
 use frond_core::{Affine2, Contraction, Ifs};
+use frond_exact::ExactRows;
 use glam::DVec2;
 
 use crate::evidence::axis_scales::AxisScales;
@@ -98,18 +99,40 @@ pub enum CertifiedLink {
 /// ```
 #[must_use]
 pub fn connected_certificate(ifs: &Ifs, options: &Options) -> Option<ConnectedCertificate> {
-    // Where gaps as wide as epsilon let pieces through, narrower ones may not.
-    let closer = Options { epsilon: CLOSER * options.epsilon, ..*options };
-    [*options, closer].iter().find_map(|options| certified(ifs, options))
+    certified(ifs, options, None)
 }
 
-fn certified(ifs: &Ifs, options: &Options) -> Option<ConnectedCertificate> {
+/// Exact numbers that the numbers of maps stand for.
+#[derive(Clone, Copy)]
+pub(crate) struct Meant<'a> {
+    pub exact: &'a ExactRows,
+    /// Points that two pieces are known to have.
+    pub shared: &'a [(Address, Address)],
+}
+
+/// As [`connected_certificate`], about numbers that those of the maps stand for. What hangs on them is decided exactly;
+/// crossings, which leave room, are found for the doubles.
+pub(crate) fn certified_as_meant(
+    ifs: &Ifs,
+    options: &Options,
+    meant: &Meant<'_>,
+) -> Option<ConnectedCertificate> {
+    certified(ifs, options, Some(meant))
+}
+
+fn certified(ifs: &Ifs, options: &Options, meant: Option<&Meant<'_>>) -> Option<ConnectedCertificate> {
+    // Where gaps as wide as epsilon let pieces through, narrower ones may not.
+    let closer = Options { epsilon: CLOSER * options.epsilon, ..*options };
+    [*options, closer].iter().find_map(|options| magnified(ifs, options, meant))
+}
+
+fn magnified(ifs: &Ifs, options: &Options, meant: Option<&Meant<'_>>) -> Option<ConnectedCertificate> {
     let maps = ifs.maps();
     let Some(magnification) = Magnification::of(maps) else {
-        return proved(maps, ifs.contraction(), options);
+        return proved(maps, ifs.contraction(), options, meant);
     };
     let seen = magnification.magnify(maps);
-    let found = proved(&seen, &Contraction::find(&seen).ok()?, options)?;
+    let found = proved(&seen, &Contraction::find(&seen).ok()?, options, meant)?;
     let polygon =
         found.polygon.iter().map(|&corner| magnification.exact_point(corner)).collect::<Option<_>>()?;
     Some(ConnectedCertificate { maps: rows(maps), polygon, ..found })
@@ -117,6 +140,13 @@ fn certified(ifs: &Ifs, options: &Options) -> Option<ConnectedCertificate> {
 
 fn rows(maps: &[Affine2]) -> Vec<[f64; 6]> {
     maps.iter().copied().map(Affine2::to_row).collect()
+}
+
+impl Meant<'_> {
+    /// Whether two addresses are of one point.
+    fn coincide(&self, a: &Address, b: &Address) -> bool {
+        self.exact.coincide([[&a.head, &a.repeat], [&b.head, &b.repeat]])
+    }
 }
 
 /// So many times closer it is looked again.
@@ -127,10 +157,10 @@ const TRIES: usize = 3000;
 const MOST_PAIRS: usize = 400;
 
 /// In coordinates in which a shape that is stretched along an axis is about as wide as high.
-fn stretched(maps: &[Affine2], options: &Options) -> Option<ConnectedCertificate> {
+fn stretched(maps: &[Affine2], options: &Options, meant: Option<&Meant<'_>>) -> Option<ConnectedCertificate> {
     let scales = AxisScales::of(maps)?;
     let seen = scales.maps(maps)?;
-    let mut found = proved(&seen, &Contraction::find(&seen).ok()?, options)?;
+    let mut found = proved(&seen, &Contraction::find(&seen).ok()?, options, meant)?;
     for link in &mut found.links {
         if let CertifiedLink::Crossing(_, far) = link {
             for far in far {
@@ -145,19 +175,25 @@ fn stretched(maps: &[Affine2], options: &Options) -> Option<ConnectedCertificate
     Some(ConnectedCertificate { maps: rows(maps), polygon, ..found })
 }
 
-fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Option<ConnectedCertificate> {
-    proved_as_is(maps, contraction, options).or_else(|| stretched(maps, options))
+fn proved(
+    maps: &[Affine2],
+    contraction: &Contraction,
+    options: &Options,
+    meant: Option<&Meant<'_>>,
+) -> Option<ConnectedCertificate> {
+    proved_as_is(maps, contraction, options, meant).or_else(|| stretched(maps, options, meant))
 }
 
 fn proved_as_is(
     maps: &[Affine2],
     contraction: &Contraction,
     options: &Options,
+    meant: Option<&Meant<'_>>,
 ) -> Option<ConnectedCertificate> {
     let mut frame = Frame::default();
     frame.set_round(maps, contraction);
     if frame.point {
-        return one_point(maps, contraction);
+        return one_point(maps, contraction, meant);
     }
     let mut support = SupportTable::default();
     support.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
@@ -176,13 +212,22 @@ fn proved_as_is(
     let near: Vec<Near> = tree(&search, maps.len());
     let mut joined = OverlapGraph::new(maps.len());
     let mut links = Vec::new();
-    for (a, b) in Points::find(maps, &frame, search.support(), &pairs).given() {
+    let points = Points::find(maps, &frame, search.support(), &pairs);
+    let shared = match meant {
+        Some(meant) => points.shared(meant.shared, |a, b| meant.coincide(a, b)),
+        None => points.given(),
+    };
+    for (a, b) in shared {
         joined.add(a.first(), b.first());
         links.push(CertifiedLink::Point([a, b].map(|Address { head, repeat }| [head, repeat])));
     }
     for i in 0..maps.len() {
         for j in i + 1..maps.len() {
-            if !joined.components().joined(i, j) && area::areas_fill(&maps[i], &maps[j]) {
+            let fill = || match meant {
+                Some(meant) => meant.exact.areas_fill(i, j),
+                None => area::areas_fill(&maps[i], &maps[j]),
+            };
+            if !joined.components().joined(i, j) && fill() {
                 joined.add(i, j);
                 links.push(CertifiedLink::Area([i as u8, j as u8]));
             }
@@ -227,10 +272,19 @@ fn proved_as_is(
 }
 
 /// Of maps that all leave one point where it is, which is then the attractor: one map, equal maps, and others.
-fn one_point(maps: &[Affine2], contraction: &Contraction) -> Option<ConnectedCertificate> {
+fn one_point(
+    maps: &[Affine2],
+    contraction: &Contraction,
+    meant: Option<&Meant<'_>>,
+) -> Option<ConnectedCertificate> {
     let fixed = |i: usize| Address { head: vec![], repeat: vec![i as u8] };
-    let system = QuadraticSystem::as_given(maps)?;
-    if !(1..maps.len()).all(|i| system.coincide(&fixed(0), &fixed(i))) {
+    let all_fix = |coincide: &dyn Fn(&Address, &Address) -> bool| {
+        (1..maps.len()).all(|i| coincide(&fixed(0), &fixed(i)))
+    };
+    if !match meant {
+        Some(meant) => all_fix(&|a, b| meant.coincide(a, b)),
+        None => QuadraticSystem::as_given(maps).is_some_and(|system| all_fix(&|a, b| system.coincide(a, b))),
+    } {
         return None;
     }
     let link = |i: usize| CertifiedLink::Point([0, i].map(|k| [vec![], vec![k as u8]]));

@@ -325,10 +325,20 @@ impl<'a> Points<'a> {
 
     /// Enough of those that are shared as the maps are given to join all that such points join.
     pub fn given(&self) -> Vec<Shared> {
-        QuadraticSystem::as_given(self.maps).map_or(Vec::new(), |system| self.shared_in(&system).0)
+        let all = |system: QuadraticSystem| self.shared(&[], |a, b| system.coincide(a, b));
+        QuadraticSystem::as_given(self.maps).map_or(Vec::new(), all)
     }
 
-    fn shared_in(&self, system: &QuadraticSystem) -> (Vec<Shared>, OverlapGraph) {
+    /// Enough of those that are one point, as is decided, to join all that such points join, besides some that are known.
+    pub fn shared(&self, known: &[Shared], coincide: impl Fn(&Address, &Address) -> bool) -> Vec<Shared> {
+        self.shared_beside(known, coincide).0
+    }
+
+    fn shared_beside(
+        &self,
+        known: &[Shared],
+        coincide: impl Fn(&Address, &Address) -> bool,
+    ) -> (Vec<Shared>, OverlapGraph) {
         let mut graph = OverlapGraph::new(self.maps.len());
         let mut shared = Vec::new();
         let mut tried = vec![0; self.maps.len() * self.maps.len()];
@@ -340,17 +350,23 @@ impl<'a> Points<'a> {
             // Where some points do not fit, others that lie together in the same way hardly will.
             let tries = &mut tried[i * self.maps.len() + j];
             *tries += 1;
-            if *tries > MOST_TRIES_PER_PAIR || !system.coincide(a, b) {
+            if *tries > MOST_TRIES_PER_PAIR || !coincide(a, b) {
                 continue;
             }
             graph.add(i, j);
             shared.push((a.clone(), b.clone()));
         }
+        for (a, b) in known {
+            if !graph.components().joined(a.first(), b.first()) {
+                graph.add(a.first(), b.first());
+                shared.push((a.clone(), b.clone()));
+            }
+        }
         (shared, graph)
     }
 
     fn reason(&self, system: &QuadraticSystem) -> Result<Reason, Vec<Link>> {
-        let (shared, graph) = self.shared_in(system);
+        let (shared, graph) = self.shared_beside(&[], |a, b| system.coincide(a, b));
         let link = |(a, b): &Shared| {
             let (i, j) = (a.first(), b.first());
             Link {
