@@ -3,11 +3,14 @@
 use frond_exact::{
     Analysis, Dimension, ExactNumber, ExactNumbers, MOST_NUMBERS, OpenSetCondition, Reason, Settings,
 };
+use frond_locus::ExactProof;
 use js_sys::Array;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{bad_input, failure};
+use crate::boundary::evidence::write_reason;
+use crate::boundary::resolution::read_options;
 use crate::boundary::value::{object, read, read_maps, rows, write};
 
 /// The most pairs of pieces that one search looks at: some seconds.
@@ -40,6 +43,31 @@ fn read_formulas(list: &JsValue) -> Result<Vec<String>, JsValue> {
 fn read_exact(numbers: &JsValue) -> Result<ExactNumbers, JsValue> {
     ExactNumbers::read(&read_formulas(numbers)?)
         .map_err(|wrong| failure(wrong.error.code(), &wrong.to_string()))
+}
+
+/// A proof that the attractor is in one piece, or in several, about the numbers that its entries mean.
+#[wasm_bindgen(js_name = proveExact, unchecked_return_type = "ExactProof")]
+pub fn prove_exact(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "string[]")] numbers: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "{ epsilon?: number; budget?: number }")] options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let maps = rows(&read_maps(&ifs)?);
+    let (numbers, options) = (read_exact(&numbers)?, read_options(options)?);
+    match frond_locus::prove_exact(&maps, &numbers, &options, Settings::default().budget) {
+        ExactProof::Connected { reason, certificate } => Ok(object(&[
+            ("state", "connected".into()),
+            ("reason", write_reason(&reason)?),
+            ("certificate", write(&certificate)?),
+        ])),
+        ExactProof::Disconnected { certificate } => {
+            Ok(object(&[("state", "disconnected".into()), ("certificate", write(&certificate)?)]))
+        }
+        ExactProof::Undecided(why) => {
+            Ok(object(&[("state", "undecided".into()), ("why", why.to_string().into())]))
+        }
+        _ => Ok(object(&[("state", "undecided".into()), ("why", "".into())])),
+    }
 }
 
 #[derive(Deserialize)]
