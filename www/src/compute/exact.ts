@@ -1,4 +1,6 @@
 /** What is proved of an end of the morph whose numbers mean more than their doubles say. */
+import { effect, untracked } from "@preact/signals";
+import "#document/exact-gallery";
 import { held, selection, shown, shownPick } from "#document/morph";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
@@ -62,14 +64,21 @@ export async function proveMeant(epsilon: number): Promise<ExactAnswer | null> {
   });
 }
 
-/** The verdict about doubles is not enough: says more where the exact numbers are proved to be in one piece. */
-export async function settle(maps: MapRow[], epsilon: number): Promise<void> {
+/** What doubles leave open may be proved of the numbers that they stand for: then the verdict says so. */
+export function scheduleExact(): void {
+  effect(() => {
+    const now = verdict.value;
+    if (!now || now.stale || now.connectedness.verdict === "connected") return;
+    untracked(() => void settle(shown.peek(), now.epsilon).catch(() => {}));
+  });
+}
+
+async function settle(maps: MapRow[], epsilon: number): Promise<void> {
   const answer = await proveMeant(epsilon);
   const now = verdict.peek();
   if (answer?.state !== "connected" || !answer.check?.valid || !now || now.stale || shown.peek() !== maps)
     return;
   const { connectedness } = now;
-  const whole = connectedness.components.map(() => 0);
   publish.verdict.value = {
     ...now,
     numbers: answer.numbers,
@@ -77,7 +86,7 @@ export async function settle(maps: MapRow[], epsilon: number): Promise<void> {
       ...connectedness,
       verdict: "connected",
       gap: { lower: 0, upper: 0 },
-      components: whole,
+      components: connectedness.components.map(() => 0),
       count: 1,
       reason: answer.reason,
     },

@@ -92,7 +92,11 @@ function sound(row: unknown): OwnShape | null {
 
 /** As a link takes them: `crate/scene/src/link/words.rs`. */
 function areFormulas(list: unknown): list is string[] {
-  return Array.isArray(list) && list.length <= MOST_FORMULAS && list.every((one) => /^[a-z0-9./()*+-]{1,200}$/.test(one));
+  return (
+    Array.isArray(list) &&
+    list.length <= MOST_FORMULAS &&
+    list.every((one) => /^[a-z0-9./()*+-]{1,200}$/.test(one))
+  );
 }
 
 function areWeights(list: unknown, count: number): list is number[] {

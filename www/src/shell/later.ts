@@ -1,4 +1,5 @@
 /** What begins once the first picture is there, and need not be fetched before it. */
+import { scheduleExact } from "#compute/exact";
 import { recallShapes } from "#tools/morph/shapes/recall";
 import { waitForSwipes } from "#ui/swipe";
 import { link } from "./actions";
@@ -15,6 +16,7 @@ type Play = ReturnType<typeof readParameters>["play"];
 export function beginLater(hash: string, embedded: boolean, play: Play): void {
   beInstalled();
   waitForSwipes(document);
+  scheduleExact();
   if (!embedded) {
     beStepped(link);
     void beKept(hash);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MapRow, Shape } from "#wasm/api";
-import { carriedExact, exactOf, sizes, withExact } from "./exact";
+import { carriedExact, exactOf, GALLERY, sizes, withExact } from "./exact";
 
 const third = 0.3333333333333333;
 const root = 0.28867513459481287;
@@ -12,6 +12,8 @@ const koch: Shape = {
     [0.16666666666666666, -root, root, 0.16666666666666666, third, 0],
   ],
 };
+
+GALLERY.set("koch", "1/3,2/3,1/6,sqrt(3)/6");
 
 describe("exact numbers of a shape", () => {
   it("are those of the gallery for a shape of the gallery, and its own formulas for any other", () => {

@@ -4,29 +4,15 @@ import type { MapRow, Shape } from "#wasm/api";
 /** A link holds no more of a shape. */
 export const MOST_FORMULAS = 64;
 
-const hexagon = "1/3,2/3,sqrt(3)/3";
-const board = "1/3,2/3";
-const terdragon = "sqrt(3)/6,sqrt(3)/3";
-/** Of shapes of the gallery. Entries of the others are what their digits say. */
-const GALLERY: Readonly<Record<string, string>> = {
-  gasket: "sqrt(3)/4",
-  terdragon,
-  "terdragon-mirrored": terdragon,
-  koch: "1/3,2/3,1/6,sqrt(3)/6",
-  carpet: board,
-  vicsek: board,
-  pentagon: "(3-sqrt(5))/2,(sqrt(5)-1)/2,(3-sqrt(5))/4,sin(36deg),tan(36deg)/2",
-  hexagon,
-  hexaflake: hexagon,
-  gosper: "5/14,2/7,1/14,sqrt(3)/14,sqrt(3)/7,3sqrt(3)/14",
-};
+/** Formulas of shapes of the gallery, joined by commas: what the first picture needs does not wait for them. */
+export const GALLERY = new Map<string, string>();
 
 /** The sizes of formulas as doubles, as far as the module for exact numbers has read them. */
 export const sizes = new Map<string, number>();
 
 /** The formulas that hold for a shape. One of the gallery says none itself. */
 export const exactOf = ({ preset = "", exact }: Shape): readonly string[] =>
-  exact ?? GALLERY[preset]?.split(",") ?? [];
+  exact ?? GALLERY.get(preset)?.split(",") ?? [];
 
 /** A shape with these formulas, or without any. */
 export function withExact(shape: Shape, exact: readonly string[] | undefined): Shape {
