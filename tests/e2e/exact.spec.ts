@@ -19,7 +19,8 @@ const NAMES = {
   f: "Move up, f",
 } as const;
 /** Four maps that are nothing yet. */
-const ROUGH = "a=maps:.3,0,0,.3,0,0;.3,0,0,.3,.3,0;.3,0,0,.3,.5,.2;.3,0,0,.3,.6,0&b=gasket&path=straight";
+const ROUGH =
+  "a=maps:.25,0,0,.25,0,0;.25,0,0,.25,.25,0;.25,0,0,.25,.5,.25;.25,0,0,.25,.75,0&b=gasket&path=straight";
 
 async function type(studio: Studio, map: number, numbers: Partial<Record<keyof typeof NAMES, string>>) {
   const head = studio.page.locator(".side").getByRole("button", { name: new RegExp(`Map ${map}: `) });

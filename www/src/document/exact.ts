@@ -3,7 +3,7 @@ import { type ReadonlySignal, signal } from "@preact/signals";
 import { sizes } from "#geometry/maps/exact";
 import { loadExact } from "#wasm/exact";
 
-/** A formula of an exact number: the double nearest to it, and the formula in its shortest form. */
+/** An exact number: the double nearest to it, and a short formula of it or its opposite. */
 export interface ExactNumber {
   value: number;
   formula: string;
@@ -21,7 +21,7 @@ export const formulasRead: ReadonlySignal<number> = reads;
 export async function readExact(formulas: readonly string[]): Promise<(ExactNumber | null)[]> {
   const { readNumbers } = await loadExact();
   const found = readNumbers([...formulas]).map((one) =>
-    "problem" in one ? null : { value: one.value, formula: linked(one.text) },
+    "problem" in one ? null : { value: one.value, formula: unsigned(linked(one.text)) },
   );
   for (const one of found) if (one) learn(one);
   reads.value++;
@@ -37,6 +37,9 @@ export function formulaAt(x: number, formulas: readonly string[]): string | unde
   const isTerm = !/[+-]/.test(formula) || /^\(.*\)\/\d+$/.test(formula);
   return isTerm ? `-${formula}` : `-(${formula})`;
 }
+
+/** A formula stands for its opposite, too: a minus before all of it says nothing. */
+const unsigned = (formula: string) => (/^-[^+-]*$/.test(formula) ? formula.slice(1) : formula);
 
 /** In the words of a link. */
 const linked = (text: string) =>
