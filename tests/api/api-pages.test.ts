@@ -12,7 +12,7 @@ const page = (name: string) => pages.find(({ path }) => path === `api/${name}.ht
 
 it.each([
   ["draw", "frond"],
-  ...["curve", "proof", "fit", "space", "directed", "exchange", "morph"].map((name) => [
+  ...["curve", "proof", "exact", "fit", "space", "directed", "exchange", "morph"].map((name) => [
     name,
     `frond-${name}`,
   ]),

@@ -8,8 +8,8 @@
 //!
 //! What has its default is left out. A shape that is not of the gallery is written
 //! `a=maps:0.5,0,0,0.5,0,0;..`, its numbers with as many digits as bring back the same bits, and its name
-//! as `a-name`; how often the chaos game takes each map, where that is said, as `a-weights=1,2,0.5`. Keys
-//! that are not known are passed over, so that a link of a later version still shows what this one
+//! as `a-name`; how often the chaos game takes each map, where that is said, as `a-weights=1,2,0.5`; numbers that its
+//! maps mean exactly as `a-exact=1/3,sqrt(3)/6`. Keys that are not known are passed over, so that a link of a later version still shows what this one
 //! understands. Turns count from the counter-clockwise half turn where a map turns by half a turn (`link/turns.rs` says
 //! why). Old links open for ever: `tests/links.txt` is the collection that proves it.
 
@@ -40,7 +40,7 @@ use space::{read_space, write_space};
 use turns::Counting;
 use words::{
     choice, colour_words, damaged, escape, is_colour, joined, name_of, number, numbers, read_colours,
-    read_list, read_numbers, tidy, unescape, within,
+    read_formulas, read_list, read_numbers, tidy, unescape, within,
 };
 
 /// The version that is written.
@@ -198,15 +198,19 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
 
 fn read_morph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Scene, LinkError> {
     let mut scene = Scene::default();
-    for (key, name_key, weights_key, end, shape) in
-        [("a", "a-name", "a-weights", 'A', &mut scene.a), ("b", "b-name", "b-weights", 'B', &mut scene.b)]
-    {
+    for (key, name_key, weights_key, exact_key, end, shape) in [
+        ("a", "a-name", "a-weights", "a-exact", 'A', &mut scene.a),
+        ("b", "b-name", "b-weights", "b-exact", 'B', &mut scene.b),
+    ] {
         if let Some(text) = get(key) {
             *shape = read_shape(key, text, get(name_key))?;
         }
         if let Some(text) = get(weights_key) {
             shape.weights =
                 read_list::<1>(weights_key, &text.replace(',', ";"), MAX_MAPS, |_| true)?.into_flattened();
+        }
+        if let Some(text) = get(exact_key) {
+            shape.exact = read_formulas(text).ok_or_else(|| damaged(exact_key, text))?;
         }
         shape.ifs().map_err(|source| LinkError::Shape { end, source })?;
     }
@@ -262,6 +266,9 @@ fn write_shape(link: &mut String, key: &str, shape: &Shape) {
     if !shape.weights.is_empty() {
         let _ = write!(link, "&{key}-weights={}", numbers(&shape.weights));
     }
+    if !shape.exact.is_empty() {
+        let _ = write!(link, "&{key}-exact={}", joined(&shape.exact, ","));
+    }
 }
 
 fn write_maps(link: &mut String, key: &str, shape: &Shape) {
@@ -289,6 +296,7 @@ fn read_shape(key: &'static str, text: &str, name: Option<&str>) -> Result<Shape
         name: name.unwrap_or_else(|| "Own shape".to_owned()),
         maps,
         weights: Vec::new(),
+        exact: Vec::new(),
     })
 }
 

@@ -150,9 +150,15 @@ pub fn preset(id: &str) -> Option<Preset> {
     presets().into_iter().find(|preset| preset.id == id)
 }
 
-/// Copies scaled by `r`, without a turn, each with its fixed point at one of `corners`.
-fn shrunk(r: f64, corners: &[[f64; 2]]) -> Vec<Row> {
-    corners.iter().map(|[x, y]| [r, 0.0, 0.0, r, (1.0 - r) * x, (1.0 - r) * y]).collect()
+/// Copies by one linear part, and moved.
+fn copies(linear: [f64; 4], shifts: &[[f64; 2]]) -> Vec<Row> {
+    let [a, b, c, d] = linear;
+    shifts.iter().map(|[e, f]| [a, b, c, d, *e, *f]).collect()
+}
+
+/// Copies scaled by `ratio`, without a turn, and moved.
+fn shrunk(ratio: f64, shifts: &[[f64; 2]]) -> Vec<Row> {
+    copies([ratio, 0.0, 0.0, ratio], shifts)
 }
 
 /// Copies scaled by a third into cells of a 3 x 3 board.
@@ -202,34 +208,40 @@ fn vicsek() -> Vec<Row> {
     board(&[[1, 1], [0, 0], [2, 0], [2, 2], [0, 2]])
 }
 
+// What is not a fraction of few digits below is the double nearest to the number that is meant: what Frond proves of the
+// gallery, it proves of these numbers.
+
 fn pentagon() -> Vec<Row> {
-    // Cosines and sines of fifths of a turn, in closed form; the ratio is 1 / golden ratio^2.
-    let root = 5.0_f64.sqrt();
-    let (c1, c2) = ((root - 1.0) / 4.0, -(root + 1.0) / 4.0);
-    let (s1, s2) = ((10.0 + 2.0 * root).sqrt() / 4.0, (10.0 - 2.0 * root).sqrt() / 4.0);
-    // A corner on top.
-    shrunk((3.0 - root) / 2.0, &[[0.0, 1.0], [-s1, c1], [-s2, c2], [s2, c2], [s1, c1]])
+    // 1 / golden ratio^2, and the corners of a regular pentagon over the golden ratio, one on top.
+    let ratio = 0.381_966_011_250_105_15;
+    let (x1, y1) = (0.587_785_252_292_473_1, 0.190_983_005_625_052_58);
+    let (x2, y2) = (0.363_271_264_002_680_45, -0.5);
+    shrunk(ratio, &[[0.0, 0.618_033_988_749_894_9], [-x1, y1], [-x2, y2], [x2, y2], [x1, y1]])
 }
 
-const HEXAGON: [[f64; 2]; 6] =
-    [[1.0, 0.0], [0.5, HEIGHT], [-0.5, HEIGHT], [-1.0, 0.0], [-0.5, -HEIGHT], [0.5, -HEIGHT]];
+/// The middle, and the corners of the hexagon of size 2/3 around it.
+const HEXAGON: [[f64; 2]; 7] = {
+    // sqrt 3 / 3.
+    let height = 0.577_350_269_189_625_7;
+    let (far, near) = (2.0 / 3.0, THIRD);
+    [[0.0, 0.0], [far, 0.0], [near, height], [-near, height], [-far, 0.0], [-near, -height], [near, -height]]
+};
 
 fn hexagon() -> Vec<Row> {
-    shrunk(THIRD, &HEXAGON)
+    shrunk(THIRD, &HEXAGON[1..])
 }
 
 fn hexaflake() -> Vec<Row> {
-    let mut maps = shrunk(THIRD, &[[0.0, 0.0]]);
-    maps.extend(hexagon());
-    maps
+    shrunk(THIRD, &HEXAGON)
 }
 
 /// Seven copies scaled by 1 / sqrt 7 and turned, one in the middle and six around it.
 fn gosper() -> Vec<Row> {
-    // 1 / (2 + w) with w = (1 + i sqrt 3) / 2: its square is 1/7.
-    let (re, im) = (2.5 / 7.0, -HEIGHT / 7.0);
-    let around = HEXAGON.map(|[x, y]| [re * x - im * y, im * x + re * y]);
-    std::iter::once([0.0, 0.0]).chain(around).map(|[e, f]| [re, -im, im, re, e, f]).collect()
+    // 1 / (2 + w) with w = (1 + i sqrt 3) / 2, whose square is 1/7, and its products with the powers of w.
+    let (re, im) = (5.0 / 14.0, -0.123_717_914_826_348_38);
+    let (x, y) = (2.0 / 7.0, 0.247_435_829_652_696_75);
+    let (p, q) = (-1.0 / 14.0, 0.371_153_744_479_045_14);
+    copies([re, -im, im, re], &[[0.0, 0.0], [re, im], [x, y], [p, q], [-re, -im], [-x, -y], [-p, -q]])
 }
 
 fn maple() -> Vec<Row> {
@@ -251,7 +263,7 @@ fn tree() -> Vec<Row> {
 }
 
 fn dust() -> Vec<Row> {
-    shrunk(0.4, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    shrunk(0.4, &[[0.0, 0.0], [0.6, 0.0], [0.6, 0.6], [0.0, 0.6]])
 }
 
 #[cfg(test)]

@@ -27,6 +27,10 @@ pub struct Shape {
     /// in proportion to its area.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub weights: Vec<f64>,
+    /// Formulas of numbers, such as "1/3": where an entry of a map is the double nearest to one of them or to its
+    /// negative, that number is meant, and not the double.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub exact: Vec<String>,
 }
 
 impl Shape {
@@ -39,6 +43,7 @@ impl Shape {
             name: found.name.to_owned(),
             maps: found.maps,
             weights: Vec::new(),
+            exact: Vec::new(),
         })
     }
 

@@ -131,6 +131,42 @@ export interface ExactEntries {
   entries: { map: number; entry: number; value: string[] }[];
 }
 
+/** A formula, read: the double nearest to its number and its shortest text; or why it is none, in a sentence. */
+export type ReadNumber = { value: number; text: string } | { problem: string };
+
+/** What is proved of maps some of whose entries mean numbers that are no doubles. */
+export type ExactProof =
+  | { state: "connected"; reason: Reason; certificate: ConnectedCertificate }
+  | { state: "disconnected"; certificate: Certificate }
+  /** Nothing: why, in a sentence. */
+  | { state: "undecided"; why: string };
+
+/** A Hausdorff dimension between bounds. */
+export interface Dimension {
+  value: number;
+  lower: number;
+  upper: number;
+  /** Whether the lower bound is proved as well; the upper one always is. */
+  proved: boolean;
+  /** The dimension as people write it, such as "log 4 / log 3"; null where it has no such form. */
+  exact: string | null;
+}
+
+/** What the ways in which pieces touch tell of a shape. */
+export interface Analysis {
+  /** Whether there are open sets that the maps send into one another without an overlap. */
+  openSetCondition: "yes" | "no" | "undecided";
+  /** In how many ways pieces of like size lie to each other where they meet; null where not all were found. */
+  neighbours: number | null;
+  /** Null where a map is no similarity. */
+  dimension: Dimension | null;
+  /** Null where there are no inner points, or pieces coincide. */
+  boundary: { dimension: Dimension } | null;
+  innerPoints: boolean | null;
+  /** Why it is known, or not: the kind of theorem or limit, with its numbers. */
+  reasons: { kind: string; count?: number; words?: [number[], number[]] }[];
+}
+
 export type CertifiedLink =
   | { kind: "point"; addresses: [RepeatedWord, RepeatedWord] }
   | { kind: "area"; pair: [i: number, j: number] }
@@ -360,6 +396,11 @@ export interface Shape {
   maps: MapRow[];
   /** How often the chaos game takes each map, as shares, whatever their sum. Absent: in proportion to its area. */
   weights?: number[];
+  /**
+   * Formulas of numbers, such as "1/3", "sqrt(3)/6" or "2**(1/3)", in lower case, 64 at most. Where an entry of a map is the double
+   * nearest to one of them or to its negative, that number is meant, and not the double.
+   */
+  exact?: string[];
 }
 
 export type PathKind = "auto" | "straight" | "drawn";

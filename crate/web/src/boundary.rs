@@ -3,6 +3,8 @@
 #[cfg(any(feature = "bend", feature = "curve", feature = "webgpu", feature = "webgl2"))]
 pub(crate) mod bend;
 pub(crate) mod error;
+#[cfg(any(feature = "exact", feature = "proof"))]
+pub(crate) mod evidence;
 #[cfg(any(feature = "directed", feature = "proof", feature = "space", feature = "webgpu"))]
 pub(crate) mod grid;
 pub(crate) mod palette;
@@ -14,7 +16,7 @@ pub(crate) mod photo;
 pub(crate) mod picture;
 #[cfg(any(feature = "compute", feature = "proof"))]
 pub(crate) mod polygon;
-#[cfg(any(feature = "proof", feature = "space"))]
+#[cfg(any(feature = "exact", feature = "proof", feature = "space"))]
 pub(crate) mod resolution;
 #[cfg(feature = "space")]
 pub(crate) mod space;

@@ -9,7 +9,7 @@
 //!
 //! 1. `boundary`: how values cross. `value` reads and writes maps and options, `error` is what is thrown.
 //! 2. `compute`: what describes and draws. `shape` shows best how a function is exported.
-//! 3. `bend`, `proof`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`, `text_file` (of `text` and `svg`): a
+//! 3. `bend`, `proof`, `exact`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`, `text_file` (of `text` and `svg`): a
 //!    folder or a file for each of the other modules, a file for what belongs together.
 //! 4. `renderers`: the stages of `frond-render` on a canvas, for WebGPU and for WebGL2.
 //!
@@ -25,6 +25,7 @@
         feature = "bend",
         feature = "curve",
         feature = "proof",
+        feature = "exact",
         feature = "fit",
         feature = "space",
         feature = "directed",
@@ -42,6 +43,8 @@ mod compute;
 mod curve;
 #[cfg(feature = "directed")]
 pub mod directed;
+#[cfg(feature = "exact")]
+mod exact;
 #[cfg(feature = "exchange")]
 pub mod exchange;
 #[cfg(feature = "fit")]
@@ -67,6 +70,8 @@ pub use boundary::polygon::*;
 pub use compute::*;
 #[cfg(feature = "curve")]
 pub use curve::*;
+#[cfg(feature = "exact")]
+pub use exact::*;
 #[cfg(feature = "morph")]
 pub use morph::*;
 #[cfg(feature = "proof")]
@@ -81,6 +86,7 @@ use wasm_bindgen::prelude::*;
         feature = "bend",
         feature = "curve",
         feature = "proof",
+        feature = "exact",
         feature = "fit",
         feature = "space",
         feature = "svg",
@@ -102,6 +108,11 @@ const TYPES: &str = r#"import type {
   HausdorffDistance, Ifs, IndexBuffer, IndexBufferOptions, Locus, LocusOptions, MorphOptions,
   PathCertificate, PathCheck, PathOptions, PathPlan, PathPoint, PolygonFamily, RatedCandidate, Route
 } from "./frond.js";"#;
+
+/// What proves of exact numbers, too.
+#[cfg(all(feature = "exact", not(feature = "compute")))]
+#[wasm_bindgen(typescript_custom_section)]
+const EXACT_TYPES: &str = r#"import type { Analysis, ExactProof, Ifs, ReadNumber } from "./frond.js";"#;
 
 /// What bends, too.
 #[cfg(all(feature = "bend", not(feature = "compute")))]

@@ -4,7 +4,6 @@ mod certificates;
 mod certify;
 mod connectedness;
 mod distance;
-mod evidence;
 mod family;
 mod locus;
 mod path;

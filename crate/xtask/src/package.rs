@@ -11,10 +11,11 @@ const MANIFEST: &str = include_str!("package/package.json");
 /// What is written by hand, as it lies in the package.
 const ENTRIES: &str = "crate/xtask/src/package/entries";
 /// The entries for Node that are a module each, and these modules.
-const OTHERS: [(&str, &str); 8] = [
+const OTHERS: [(&str, &str); 9] = [
     ("draw", "frond"),
     ("curve", "frond-curve"),
     ("proof", "frond-proof"),
+    ("exact", "frond-exact"),
     ("fit", "frond-fit"),
     ("space", "frond-space"),
     ("exchange", "frond-exchange"),

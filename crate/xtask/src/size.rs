@@ -49,7 +49,7 @@ pub fn gate() -> Outcome {
         };
     let (first, proof, fit) = (weigh("frond-first_bg")?, weigh("frond-proof_bg")?, weigh("frond-fit_bg")?);
     let (svg, text) = (weigh("frond-svg_bg")?, weigh("frond-text_bg")?);
-    let bend = weigh("frond-bend_bg")?;
+    let (bend, exact) = (weigh("frond-bend_bg")?, weigh("frond-exact_bg")?);
     let (curve, space) = (weigh("frond-curve_bg")?, weigh("frond-space_bg")?);
     let (exchange, directed) = (weigh("frond-exchange_bg")?, weigh("frond-directed_bg")?);
     let (webgpu, webgl2) = (weigh("frond-webgpu_bg")?, weigh("frond-webgl2_bg")?);
@@ -65,6 +65,7 @@ pub fn gate() -> Outcome {
         ("wasm in all with WebGPU", first + proof + webgpu, None),
         ("wasm in all with WebGL2", first + proof + webgl2, None),
         ("wasm that bends", bend, None),
+        ("wasm of exact numbers", exact, None),
         ("wasm of closed curves", curve, None),
         ("wasm that fits outlines", fit, None),
         ("wasm that reads drawings", svg, Some(MOST_SVG_BYTES)),

@@ -39,6 +39,11 @@ const ENTRIES: readonly Entry[] = [
     file: `${BUILT}frond-directed.d.ts`,
   },
   {
+    name: "exact",
+    about: "Numbers that formulas mean exactly, proofs about them, and what the neighbours of pieces tell.",
+    file: `${BUILT}frond-exact.d.ts`,
+  },
+  {
     name: "exchange",
     about: "Maps from the files of other programs, and for them.",
     file: `${BUILT}frond-exchange.d.ts`,

@@ -12,6 +12,7 @@ export const ENTRIES = [
   ["draw", "frond"],
   ["curve", "frond-curve"],
   ["proof", "frond-proof"],
+  ["exact", "frond-exact"],
   ["fit", "frond-fit"],
   ["space", "frond-space"],
   ["exchange", "frond-exchange"],

@@ -17,6 +17,8 @@ export type Proof =
       maps: MapRow[];
       certificate: Certificate | ConnectedCertificate;
       check: CertificateCheck;
+      /** The formulas that entries mean; where there are none, it is about the doubles. */
+      numbers?: readonly string[];
     }
   /** There is none to be had, or it could not be made: why, in words. */
   | { state: "none"; maps: MapRow[]; why: string };
@@ -45,6 +47,29 @@ export function prove(): void {
   const set = (found: Proof) => {
     if (latest.peek()?.maps === maps) latest.value = found;
   };
+  void import("./exact")
+    .then(({ proveMeant }) => proveMeant(epsilon))
+    .catch(() => null)
+    .then((exact) => {
+      if (latest.peek()?.maps !== maps) return;
+      if (exact && exact.state !== "undecided" && exact.check?.valid)
+        set({
+          state: "there",
+          maps,
+          certificate: exact.certificate,
+          check: exact.check,
+          numbers: exact.numbers,
+        });
+      else proveDoubles(maps, epsilon, connected, set);
+    });
+}
+
+function proveDoubles(
+  maps: MapRow[],
+  epsilon: number,
+  connected: boolean,
+  set: (found: Proof) => void,
+): void {
   submit(
     single<"certificate">(
       "certificate",

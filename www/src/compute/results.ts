@@ -28,6 +28,8 @@ interface VerdictResult {
   /** What it was looked at with. */
   epsilon: number;
   uv: PathPoint;
+  /** Formulas that entries of the maps mean, where it is about these and not about doubles. */
+  numbers?: readonly string[];
   /** The picture has moved on and the next answer is under way. */
   stale: boolean;
 }

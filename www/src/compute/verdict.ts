@@ -1,6 +1,7 @@
 /** What is said of the shape on the stage. */
 import { computed, effect, untracked } from "@preact/signals";
 import { here, locusView, selection, shown, shownPick } from "#document/morph";
+import { scene } from "#document/scene";
 import type { MapRow, PathPoint } from "#wasm/api";
 import { Coalesce } from "#workers/pool/coalesce";
 import { epoch, submit } from "#workers/pool/engine";
@@ -61,6 +62,10 @@ function judge({ maps, at, epsilon, sides }: What) {
     {
       accept: (connectedness) => {
         publish.verdict.value = { connectedness, epsilon, uv: at, stale: stale() };
+        const { t } = scene.peek();
+        // What doubles leave open may be proved of the numbers that they stand for.
+        if (connectedness.verdict !== "connected" && !stale() && (selection.peek() || t === 0 || t === 1))
+          void import("./exact").then(({ settle }) => settle(maps, epsilon)).catch(() => {});
       },
       fail: (error) => {
         // Maps without an attractor are a state like any other; whatever else fails is the caller's to see.

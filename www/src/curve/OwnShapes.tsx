@@ -6,6 +6,7 @@ import { sizeWords } from "#directed/words";
 import { beginChoice } from "#document/editing/choice";
 import { announce, notify, wordsOf } from "#document/notice";
 import { LONGEST_NAME, type OwnShape, ownShapes, removeOwnShape, renameOwnShape } from "#document/own-shapes";
+import { withExact } from "#geometry/maps/exact";
 import { withWeights } from "#geometry/maps/weighted";
 import { IconButton } from "#ui/controls/Button";
 import { NameInput } from "#ui/shapes/NameInput";
@@ -55,7 +56,7 @@ interface ItemProps {
 }
 
 function Item({ shape, onChoose, onDirected }: ItemProps) {
-  const { id, name, maps, weights, states, outline } = shape;
+  const { id, name, maps, weights, exact, states, outline } = shape;
   const note = states ? sizeWords({ states }) : mapsNote(shape);
   const [naming, setNaming] = useState(false);
   const tell = (problem: string | null, done: string) =>
@@ -68,7 +69,7 @@ function Item({ shape, onChoose, onDirected }: ItemProps) {
     }
     try {
       frond.validate({ maps });
-      onChoose(withWeights({ name, maps }, weights));
+      onChoose(withWeights(withExact({ name, maps }, exact), weights));
     } catch (problem) {
       notify({ kind: "info", text: messages.cannotUse(name, wordsOf(problem)) });
     }

@@ -1,5 +1,6 @@
 /** Shapes that a person keeps, in this browser: the gallery lists them beside its own. */
 import { type ReadonlySignal, signal } from "@preact/signals";
+import { exactOf, MOST_FORMULAS, withExact } from "#geometry/maps/exact";
 import type { DirectedMap, DirectedShape, MapRow, Shape } from "#wasm/api";
 import * as messages from "./messages";
 
@@ -8,6 +9,8 @@ export interface OwnShape {
   name: string;
   maps: MapRow[];
   weights?: number[];
+  /** Formulas of numbers that the maps mean exactly. */
+  exact?: string[];
   /** Of a graph-directed shape, which has no maps but these. */
   states?: DirectedMap[][];
   /** The closed curve that its states are made of, packed. */
@@ -27,8 +30,9 @@ const kept = signal<readonly OwnShape[]>(load());
 export const ownShapes: ReadonlySignal<readonly OwnShape[]> = kept;
 
 /** Keeps a shape as it is now. What stands in the way of that comes back in words. */
-export function keepShape({ name, maps, weights }: Shape): string | null {
-  return keep({ name, maps, ...(weights ? { weights } : {}) });
+export function keepShape(shape: Shape): string | null {
+  const { preset: _, ...kept } = withExact(shape, exactOf(shape));
+  return keep(kept);
 }
 
 /** The same with a shape of several states. */
@@ -75,15 +79,20 @@ export function readShapes(text: string | null): OwnShape[] {
 
 function sound(row: unknown): OwnShape | null {
   if (typeof row !== "object" || row === null) return null;
-  const { id, name, maps, weights, states, outline } = row as Record<string, unknown>;
+  const { id, name, maps, weights, exact, states, outline } = row as Record<string, unknown>;
   if (typeof id !== "string" || typeof name !== "string" || !Array.isArray(maps)) return null;
   if (areStates(states)) {
     const one = { id, name: name.slice(0, LONGEST_NAME), maps: [], states };
     return typeof outline === "string" ? { ...one, outline } : one;
   }
   if (maps.length === 0 || maps.length > MOST_MAPS || !maps.every(isMap)) return null;
-  const one = { id, name: name.slice(0, LONGEST_NAME), maps };
+  const one = { id, name: name.slice(0, LONGEST_NAME), maps, ...(areFormulas(exact) ? { exact } : {}) };
   return areWeights(weights, maps.length) ? { ...one, weights } : one;
+}
+
+/** As a link takes them: `crate/scene/src/link/words.rs`. */
+function areFormulas(list: unknown): list is string[] {
+  return Array.isArray(list) && list.length <= MOST_FORMULAS && list.every((one) => /^[a-z0-9./()*+-]{1,200}$/.test(one));
 }
 
 function areWeights(list: unknown, count: number): list is number[] {

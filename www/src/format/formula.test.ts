@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { parseNumber } from "./formula";
+import { formulaOf, parseNumber } from "./formula";
 
 function value(text: string): number {
   const parsed = parseNumber(text);
@@ -119,5 +119,21 @@ describe("parseNumber", () => {
     expect(parseNumber("1e999").ok).toBe(false);
     expect(parseNumber("sqrt(-1)").ok).toBe(false);
     expect(parseNumber("ln 0").ok).toBe(false);
+  });
+});
+
+describe("formulaOf", () => {
+  it("writes what was typed in letters that a link keeps", () => {
+    expect(formulaOf(" 1 / 3 ")).toBe("1/3");
+    expect(formulaOf("2√3/4")).toBe("2sqrt3/4");
+    expect(formulaOf("−COS 60°/3")).toBe("-cos60deg/3");
+    expect(formulaOf("0,25")).toBe("0.25");
+    expect(formulaOf("½ π²")).toBe("(1/2)pi**2");
+    expect(formulaOf("33%")).toBe("(33)/100");
+  });
+
+  it("gives an angle in degrees", () => {
+    expect(formulaOf("60°", "°")).toBe("60");
+    expect(formulaOf("1/6 turn", "°")).toBe("(1/6)*360");
   });
 });

@@ -169,12 +169,31 @@ function withoutUnit(input: string, unit: string | undefined): string {
   // All of it may be told in another unit: 1/4 turn.
   const [, all, other = ""] = /^((?:[^a-z√°]|pi)+)(rad|turn)s?$/i.exec(text) ?? [];
   if (all !== undefined) {
-    const angle = other.toLowerCase() === "turn" ? `(${all})*2pi` : `(${all})`;
-    return unit === "°" ? `${angle}/1°` : angle;
+    const isTurn = other.toLowerCase() === "turn";
+    if (unit === "°") return isTurn ? `(${all})*360` : `(${all})/1°`;
+    return isTurn ? `(${all})*2pi` : `(${all})`;
   }
   if (unit === undefined || unit === "") return text;
   if (unit === "°") return text.replace(/^([^a-z√°]*)(?:°|deg)$/i, "$1");
   return text.endsWith(unit) ? text.slice(0, -unit.length) : text;
+}
+
+/** In words that a link keeps: lower case, and no sign that is not ASCII. */
+const ASCII: readonly (readonly [RegExp, string])[] = [
+  [/\s+/g, ""],
+  [/√/g, "sqrt"],
+  [/π/g, "pi"],
+  [/°/g, "deg"],
+  [/²/g, "**2"],
+  [/³/g, "**3"],
+  [/\^/g, "**"],
+  [/^(.*)%$/, "($1)/100"],
+];
+
+/** A formula that `parseNumber` reads, as the module for exact numbers and links take it; of an angle in degrees. */
+export function formulaOf(input: string, unit?: string): string {
+  const text = plain(withoutUnit(input, unit)).toLowerCase();
+  return ASCII.reduce((written, [sign, word]) => written.replace(sign, word), text);
 }
 
 /**

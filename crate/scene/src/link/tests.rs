@@ -35,13 +35,14 @@ fn any_shape() -> impl Strategy<Value = Shape> {
     let own = (proptest::collection::vec(row, 1..8), "\\PC{0,30}").prop_map(|(maps, name)| {
         let name = tidy(&name);
         let name = if name.is_empty() { "Own shape".to_owned() } else { name };
-        Shape { preset: None, name, maps, weights: Vec::new() }
+        Shape { preset: None, name, maps, weights: Vec::new(), exact: Vec::new() }
     });
     let gallery =
         proptest::sample::select(crate::presets()).prop_map(|preset| Shape::of_preset(preset.id).unwrap());
     let shape = prop_oneof![own.prop_filter("no attractor", |shape| shape.ifs().is_ok()), gallery];
     (shape, prop_oneof![Just(0), 1..9_u32]).prop_map(|(mut shape, step)| {
         if step > 0 {
+            shape.exact = ["1/3", "sqrt(3)/6", "2**(1/3)+1"].map(str::to_owned)[..step as usize % 4].to_vec();
             shape.weights = (1..=shape.maps.len()).map(|i| f64::from(step * i as u32 % 5) + 0.1).collect();
         }
         shape
@@ -448,6 +449,24 @@ fn the_morph_of_a_link_is_read_alone_and_passes_over_the_rest() {
         assert!(decode_morph(damaged).is_err(), "{damaged}");
     }
     assert!(matches!(decode_morph(&"a".repeat(MAX_LINK + 1)), Err(LinkError::TooLong { .. })));
+}
+
+#[test]
+fn exact_numbers_of_a_shape_are_formulas() {
+    let (scene, problem) = decode("v=1&a=maps:0.3,0,0,0.3,0,0&a-exact=1/3,sqrt(3)/6,2**0.5%2B1&b=koch");
+    assert_eq!(
+        (&scene.a.exact[..], problem),
+        (&["1/3", "sqrt(3)/6", "2**0.5+1"].map(str::to_owned)[..], None)
+    );
+    assert!(encode(&scene).contains("&a-exact=1/3,sqrt(3)/6,2**0.5+1&b=koch"));
+    let (long, many) = ("1".repeat(201), ["1"; 65].join(","));
+    for bad in ["", "1/3,", "1/3;2", "SQRT(2)", "1%203", "%E2%88%9A3", "2^3", "a=b", &long, &many] {
+        let (opened, problem) = decode(&format!("v=1&a=gasket&a-exact={bad}&b=koch"));
+        assert_eq!(opened, Scene::default(), "{bad}");
+        assert!(matches!(problem, Some(LinkError::Value { key: "a-exact", .. })), "{bad}");
+    }
+    let loud = Scene { a: Shape { exact: vec!["π".to_owned()], ..scene.a.clone() }, ..scene };
+    assert!(matches!(super::encode(&loud), Err(LinkError::Unfit { key: "a-exact", .. })));
 }
 
 #[test]

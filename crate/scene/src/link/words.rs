@@ -118,6 +118,24 @@ pub(crate) fn read_colours(text: &str, most: usize) -> Option<Vec<String>> {
     (colours.len() <= most && colours.iter().all(|text| is_colour(text))).then_some(colours)
 }
 
+/// The most formulas of a shape, and the most characters of one.
+const MAX_FORMULAS: usize = 64;
+const MAX_FORMULA: usize = 200;
+
+/// Formulas with commas in between, without knowing what they mean. A power is written as two stars.
+pub(crate) fn read_formulas(text: &str) -> Option<Vec<String>> {
+    let mut formulas = Vec::new();
+    for part in unescape(text).split(',') {
+        let is_letter = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b"./()*-+".contains(&b);
+        let is_formula = !part.is_empty() && part.len() <= MAX_FORMULA && part.bytes().all(is_letter);
+        if !is_formula || formulas.len() == MAX_FORMULAS {
+            return None;
+        }
+        formulas.push(part.to_owned());
+    }
+    Some(formulas)
+}
+
 /// A name without control characters and not too long.
 pub(crate) fn tidy(name: &str) -> String {
     name.chars().filter(|c| !c.is_control()).take(MAX_NAME).collect::<String>().trim().to_owned()

@@ -1,14 +1,14 @@
 //! Proofs that can be handed on: certificates that a shape is in one piece, or in several.
 
-use frond_check::{Address, Certificate, ConnectedCertificate, Far, Link, Pair, Proof, Squares};
+use frond_check::{Certificate, ConnectedCertificate, Proof};
 use frond_core::Ifs;
-use frond_locus::{CertifiedLink, Options};
+use frond_locus::Options;
 use js_sys::Reflect;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::of_ifs;
 use crate::boundary::resolution::read_options;
-use crate::boundary::value::{object, point, read_maps, write};
+use crate::boundary::value::{object, read_maps, write};
 
 fn read_asked(ifs: &JsValue, options: JsValue) -> Result<(Ifs, Options), JsValue> {
     let options = read_options(options)?;
@@ -23,15 +23,7 @@ pub fn certificate(
 ) -> Result<JsValue, JsValue> {
     let (ifs, options) = read_asked(&ifs, options)?;
     let Some(found) = frond_locus::certificate(&ifs, &options) else { return Ok(JsValue::NULL) };
-    let pair = |pair: frond_locus::Separation| Pair { u: pair.u, v: pair.v, normal: point(pair.normal) };
-    write(&Certificate {
-        maps: found.maps,
-        polygon: found.polygon.into_iter().map(point).collect(),
-        letters: found.letters,
-        side: found.side,
-        pairs: found.pairs.into_iter().map(pair).collect(),
-        exact: None,
-    })
+    write(&Certificate::from(found))
 }
 
 /// A certificate that the attractor is in one piece, or `null` where none was found: proofs about what numbers are
@@ -43,32 +35,7 @@ pub fn connected_certificate(
 ) -> Result<JsValue, JsValue> {
     let (ifs, options) = read_asked(&ifs, options)?;
     let Some(found) = frond_locus::connected_certificate(&ifs, &options) else { return Ok(JsValue::NULL) };
-    let link = |link| match link {
-        CertifiedLink::Point(addresses) => {
-            Link::Point { addresses: addresses.map(|[head, repeat]| Address { head, repeat }) }
-        }
-        CertifiedLink::Between(addresses) => {
-            Link::Between { addresses: addresses.map(|[head, repeat]| Address { head, repeat }) }
-        }
-        CertifiedLink::Area(pair) => Link::Area { pair },
-        CertifiedLink::Difference(pair, steps) => Link::Difference { pair, steps },
-        CertifiedLink::Crossing(words, far) => Link::Crossing {
-            words,
-            far: far.map(|far| Far { tail: far.tail, direction: point(far.direction) }),
-        },
-    };
-    write(&ConnectedCertificate {
-        maps: found.maps,
-        polygon: found.polygon.into_iter().map(point).collect(),
-        gap: found.gap,
-        near: found.near,
-        links: found.links.into_iter().map(link).collect(),
-        squares: found.squares.map(|squares| Squares {
-            size: point(squares.size),
-            cells: squares.cells.into_iter().map(|([x, y], [k, l])| (x, y, k, l)).collect(),
-        }),
-        exact: None,
-    })
+    write(&ConnectedCertificate::from(found))
 }
 
 /// Replays a certificate of either kind in exact arithmetic, with none of the code that finds them. What is no

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{bad_input, failure, of_ifs};
+use crate::boundary::evidence::write_reason;
 use crate::boundary::resolution::read_options;
 use crate::boundary::value::{object, point, read, read_ifs, read_maps, write};
-use crate::proof::evidence::write_reason;
 
 /// Whether the attractor is connected, which of its pieces meet, and how wide the widest gap is. Maps without
 /// an attractor get the verdict `no-attractor`.

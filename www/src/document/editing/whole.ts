@@ -3,6 +3,7 @@
  * it (Darwish & Abd-El-Wahab, eq 1). The document keeps the maps; how the shape was when it was taken is remembered
  * beside them, so that no rounding adds up, and what is undone is as it was.
  */
+import { carriedExact } from "#geometry/maps/exact";
 import { withWeights } from "#geometry/maps/weighted";
 import type { MapRow, Shape } from "#wasm/api";
 import { frond } from "#wasm/core";
@@ -42,5 +43,5 @@ function conjugated(made: Shape, moved: MapRow): Shape {
   frond.validate({ maps });
   // Moved maps are no preset any more.
   known.set(maps, { made, moved });
-  return { name: made.name, maps };
+  return carriedExact(made, made.name, maps);
 }

@@ -1,5 +1,6 @@
 /** How often the chaos game takes each map of a shape. The shape itself does not hang on it. */
 import type { Ifs, MapRow, Shape } from "#wasm/api";
+import { carriedExact } from "./exact";
 import { sameMaps } from "./same-maps";
 
 /** Maps as a system, with their weights where these are said. */
@@ -32,7 +33,7 @@ export function remade(shape: Shape, maps: MapRow[], probabilities: readonly num
   const { name, weights } = shape;
   const sum = weights?.reduce((all, weight) => all + weight, 0) ?? 0;
   const carried = weights && probabilities.map((p) => Number((p * sum).toPrecision(WEIGHT_DIGITS)));
-  return withWeights({ name, maps }, carried);
+  return withWeights(carriedExact(shape, name, maps), carried);
 }
 
 /**

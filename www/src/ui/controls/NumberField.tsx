@@ -4,7 +4,7 @@ import type { Parsed } from "#format/formula";
 import { addStep, formatNumber, keyStep, plainNumber, rangeProblem } from "#format/numbers";
 import { useOwnId } from "../id";
 import * as messages from "../messages";
-import { keepTyped, typedAs } from "./typed";
+import { fieldName, keepTyped, typedAs } from "./typed";
 
 /** Fetched when a field is first entered: on most visits nobody types a formula. */
 let formulas: Promise<typeof import("#format/formula")> | null = null;
@@ -36,6 +36,10 @@ export interface NumberFieldProps {
   /** Takes a value, or says in a sentence why it cannot be; then the last good value stays. */
   // biome-ignore lint/suspicious/noConfusingVoidType: a caller that cannot refuse returns nothing
   onChange: (value: number) => string | undefined | void;
+  /** Finds out what a text means besides its value, before the field gives the value on; null: nothing. */
+  prepare?: (text: string, value: number) => Promise<unknown> | null;
+  /** The formula that the value means; a text that was typed for it goes before. */
+  formula?: string | undefined;
   /** The hand leaves the field: a run of steps ends. */
   onDone?: () => void;
   /** Where fields stand close, one place below them tells what is wrong: its id, and what takes the words. */
@@ -49,8 +53,8 @@ export function NumberField(props: NumberFieldProps) {
   const id = useOwnId("number");
   const [draft, setDraft] = useState<string | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
-  const name = `${label} ${symbol ?? ""}`;
-  const shown = typedAs(name, value) ?? formatNumber(value, digits);
+  const name = fieldName(label, symbol);
+  const shown = typedAs(name, value) ?? props.formula ?? formatNumber(value, digits);
   const kept = messages.stays(formatNumber(value, digits));
   const tell = (words: string | null) => {
     setProblem(words);
@@ -70,20 +74,25 @@ export function NumberField(props: NumberFieldProps) {
   /** Digits are taken at once, formulas when what reads them is there. */
   const commit = (then?: () => void) => {
     const text = draft;
+    const finish = (read: Parsed) => {
+      take(read, text ?? "");
+      then?.();
+    };
     // Text that was touched but says the same keeps the digits that are not shown.
-    if (text === null || text.trim() === shown) revert();
-    else {
-      const plain = plainNumber(text);
-      if (plain === null) {
-        void fetchFormulas().then(({ parseNumber }) => {
-          take(parseNumber(text, unit), text);
-          then?.();
-        });
-        return;
-      }
-      take({ ok: true, value: plain }, text);
+    if (text === null || text.trim() === shown) {
+      revert();
+      then?.();
+      return;
     }
-    then?.();
+    const plain = plainNumber(text);
+    const known = plain === null ? null : ({ ok: true, value: plain } as const);
+    const prepared = known && (props.prepare?.(text, known.value) ?? null);
+    if (known && !prepared) return finish(known);
+    void (async () => {
+      const read = known ?? (await fetchFormulas()).parseNumber(text, unit);
+      await (prepared ?? (read.ok && props.prepare?.(text, read.value)));
+      finish(read);
+    })();
   };
   const revert = () => {
     setDraft(null);

@@ -1,6 +1,7 @@
 /** What is asked of the workers of the plane, what they answer, and how work is cut into slices. */
 import type { Told } from "#format/verdict";
 import type {
+  Analysis,
   Bounds,
   Candidate,
   Certificate,
@@ -8,6 +9,7 @@ import type {
   CertifyOptions,
   ConnectedCertificate,
   Connectedness,
+  ExactProof,
   FamilyOptions,
   FrondError,
   Ifs,
@@ -98,6 +100,16 @@ export interface Tasks {
   };
   /** A proof that a shape is in one piece, or in several, and what the checker says of it; null where there is none. */
   certificate: { kind: "certificate"; maps: MapRow[]; epsilon: number; connected: boolean };
+  /** The same about maps some of whose entries mean numbers that are no doubles. */
+  exact: {
+    kind: "exact";
+    module: WebAssembly.Module;
+    maps: MapRow[];
+    numbers: readonly string[];
+    epsilon: number;
+  };
+  /** Neighbours, open set condition, dimension and boundary of such maps. */
+  analysis: { kind: "analysis"; module: WebAssembly.Module; maps: MapRow[]; numbers: readonly string[] };
   candidates: { kind: "candidates"; from: MapRow[]; to: MapRow[]; limit: number };
   rate: {
     kind: "rate";
@@ -147,6 +159,8 @@ interface Results {
   plan3: PathPlan;
   certify: PathCertificate;
   certificate: { certificate: Certificate | ConnectedCertificate; check: CertificateCheck } | null;
+  exact: ExactProof & { check: CertificateCheck | null };
+  analysis: Analysis;
   candidates: Candidate[];
   rate: RatedCandidate;
   routes: Route[];
@@ -183,6 +197,8 @@ export type Channel =
   | "export"
   | "certify"
   | "certificate"
+  | "exact"
+  | "analysis"
   | "candidates"
   | "routes"
   | "ways"

@@ -5,6 +5,7 @@ import { atResolution, STATE } from "#geometry/states";
 import type { Connectedness, Ifs, Locus, PathPoint } from "#wasm/api";
 import { rasterized } from "#wasm/bend";
 import { frond as core, type Frond } from "#wasm/core";
+import { startExact } from "#wasm/exact";
 import type { LocusTiles, Proof } from "#wasm/proof";
 import type { Context } from "../lanes/task";
 import type { Kind, Result, Task } from "./protocol";
@@ -125,6 +126,15 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
       : frond.certificate({ maps }, { epsilon });
     return certificate && { certificate, check: frond.checkCertificate(certificate) };
   },
+  async exact({ frond }, { module, maps, numbers, epsilon }) {
+    const found = (await startExact(module)).proveExact({ maps }, [...numbers], { epsilon });
+    return {
+      ...found,
+      check: found.state === "undecided" ? null : frond.checkCertificate(found.certificate),
+    };
+  },
+  analysis: async (_, { module, maps, numbers }) =>
+    (await startExact(module)).analyze({ maps }, [...numbers], {}),
   candidates: ({ frond }, { from, to, limit }) => frond.candidates({ maps: from }, { maps: to }, { limit }),
   rate: ({ frond }, { from, to, options }) => frond.rateCandidate({ maps: from }, { maps: to }, options),
   ways: ({ frond }, { from, to, limit }) => frond.ways(from, to, { limit }),

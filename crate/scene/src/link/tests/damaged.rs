@@ -69,6 +69,7 @@ fn the_largest_document_fits_a_link() {
         name: "ä".repeat(60),
         maps: vec![[-0.123_456_789_012_345_67e-7; 6]; 64],
         weights: Vec::new(),
+        exact: Vec::new(),
     };
     let mut scene = Scene { a: shape.clone(), b: shape, ..Scene::default() };
     let x = -0.123_456_789_012_345_67;

@@ -18,6 +18,7 @@ import { Graph } from "#ui/shapes/Graph";
 import type { Certificate, ConnectedCertificate, Connectedness, MapRow, Reason } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { CHIP_ID, PANEL_ID } from "../dialogs";
+import type { Exact as ExactPart } from "./Exact";
 import css from "./evidence.module.css";
 import { accountOf, addressWords, checkWords, clusterWords, gapWords, linkWords } from "./evidence-text";
 import * as messages from "./messages";
@@ -44,6 +45,7 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
     <>
       <p>{accountOf(answer, epsilon)}</p>
       {answer.reason && <Because reason={answer.reason} />}
+      <Exact reason={answer.reason} />
       {gap !== null && (
         <p>
           <span class={css["evidence-name"]}>{messages.widestGap}</span> {gap}.
@@ -127,6 +129,18 @@ function isWritten({ verdict, reason }: Connectedness): boolean {
   return (
     verdict === "disconnected" || (verdict === "connected" && (!reason || WRITTEN.includes(reason.kind)))
   );
+}
+
+/** What there is to say about exact numbers; fetched when the panel is first opened. */
+function Exact({ reason }: { reason: Reason | undefined }) {
+  const [Part, setPart] = useState<typeof ExactPart | null>(null);
+  useEffect(() => {
+    void import("./Exact").then(
+      (part) => setPart(() => part.Exact),
+      () => {},
+    );
+  }, []);
+  return Part && <Part reason={reason} />;
 }
 
 const MOST_LINKS = 12;
@@ -216,6 +230,11 @@ export function Proof({ connected }: { connected: boolean }) {
         </Button>
       )}
       <p role="status">{proofWords(now, connected)}</p>
+      {now?.state === "there" && (
+        <p>
+          {messages.checkElsewhere} <code>{CHECK}</code>
+        </p>
+      )}
     </div>
   );
 }
@@ -225,7 +244,7 @@ function proofWords(now: Proved | null, connected: boolean): string {
     case "asked":
       return messages.writingAndCheckingProof;
     case "there":
-      return checkWords(now.check);
+      return `${checkWords(now.check)} ${now.numbers ? messages.aboutExact : ""}`.trim();
     case "none":
       return messages.noProof(now.why);
     default:
@@ -233,10 +252,14 @@ function proofWords(now: Proved | null, connected: boolean): string {
   }
 }
 
+const FILE = "frond-proof.json";
+/** What anybody can run who has Node. */
+const CHECK = `npx frond-ifs check ${FILE}`;
+
 function saveProof(certificate: Certificate | ConnectedCertificate): void {
   try {
     const blob = new Blob([`${JSON.stringify(certificate)}\n`], { type: "application/json" });
-    download(blob, "frond-proof.json");
+    download(blob, FILE);
   } catch (problem) {
     notify({ kind: "error", text: messages.proofFailed(wordsOf(problem)) });
   }

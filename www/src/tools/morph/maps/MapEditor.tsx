@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { OwnShapes } from "#curve/OwnShapes";
 import { editFrame } from "#document/editing/frame";
+import { learnFormulas } from "#document/exact";
 import { ranks, selection } from "#document/morph";
 import { announce, notify, wordsOf } from "#document/notice";
 import { copyName, keepShape, LONGEST_NAME, ownShapes } from "#document/own-shapes";
@@ -9,6 +10,7 @@ import { edit, endGesture } from "#document/scene";
 import { UNIT } from "#geometry/boxes";
 import { mapWords, reflect } from "#geometry/maps/affine2";
 import { beside, oneMore } from "#geometry/maps/beside";
+import { exactOf } from "#geometry/maps/exact";
 import { snapping } from "#stage/handles/held";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
@@ -115,6 +117,12 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
   const [problem, setProblem] = useState<{ words: string; from: "map" | "list" } | null>(null);
   const shape = shapes[target].value;
   const { maps } = shape;
+  const exact = exactOf(shape);
+  const written = exact.join();
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the same formulas are read once
+  useEffect(() => {
+    void learnFormulas(exact).catch(() => {});
+  }, [written]);
   const origin = originOf(shape);
   const pick = (map: number | null) => {
     setProblem(null);
@@ -122,11 +130,11 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
   };
 
   /** Takes a set that is a shape; of any other it says what is wrong, and the last good one stays. */
-  const offer = (next: MapRow[], gesture?: string): string | undefined => {
+  const offer = (next: MapRow[], gesture?: string, exact?: readonly string[]): string | undefined => {
     const refusal = problemWith(next);
     if (refusal !== undefined) return refusal;
     setProblem(null);
-    edit((before) => setMaps(before, target, next), gesture === undefined ? {} : { gesture });
+    edit((before) => setMaps(before, target, next, exact), gesture === undefined ? {} : { gesture });
     return undefined;
   };
   /** The same for a button, whose refusal is told beside it. */
@@ -136,10 +144,11 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
     pick(then);
     announce(said);
   };
-  const change = (index: number, map: MapRow, gesture?: string) =>
+  const change = (index: number, map: MapRow, gesture?: string, exact?: readonly string[]) =>
     offer(
       maps.map((old, i) => (i === index ? map : old)),
       gesture,
+      exact,
     );
 
   /** Where maps are put. */
@@ -156,7 +165,8 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
           <Fields
             map={map}
             among={maps}
-            onChange={(next, field) => change(index, next, `map-${target}-${index}-${field}`)}
+            exact={exact}
+            onChange={(next, field, more) => change(index, next, `map-${target}-${index}-${field}`, more)}
             onDone={endGesture}
           />
           <MapTools

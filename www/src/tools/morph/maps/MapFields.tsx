@@ -1,9 +1,13 @@
+import { useRef } from "preact/hooks";
+import { formulaAt, formulasRead } from "#document/exact";
 import { digitsApart } from "#format/numbers";
 import { compose, decompose, type Parts } from "#geometry/maps/affine2";
 import { NumberField } from "#ui/controls/NumberField";
 import { useProblems } from "#ui/controls/problems";
+import { fieldName, formulaTyped, typedAs } from "#ui/controls/typed";
 import equationsCss from "#ui/shapes/equations.module.css";
 import type { MapRow } from "#wasm/api";
+import { type ExactRow, exactEntry, exactParts, shownExact } from "./exact-fields";
 import mapsCss from "./maps.module.css";
 import * as messages from "./messages";
 
@@ -11,8 +15,13 @@ interface MapFieldsProps {
   map: MapRow;
   /** All maps of the shape: what differs among them is seen to differ. */
   among?: readonly MapRow[];
-  /** Takes the map, or says why it cannot be. `field` names what was changed, so that a run of steps is one undo. */
-  onChange: (map: MapRow, field: string) => string | undefined;
+  /** Formulas that entries of these maps mean. */
+  exact?: readonly string[];
+  /**
+   * Takes the map, or says why it cannot be. `field` names what was changed, so that a run of steps is one undo;
+   * `exact`: what some of its entries mean from now on.
+   */
+  onChange: (map: MapRow, field: string, exact?: readonly string[]) => string | undefined;
   onDone: () => void;
 }
 
@@ -25,11 +34,14 @@ const PARTS: readonly { key: keyof Parts; label: string; step: number; digits: n
   { key: "moveY", label: messages.moveUp, step: 0.01, digits: 4 },
 ];
 
+const LABELS = Object.fromEntries(PARTS.map(({ key, label }) => [key, label])) as Record<keyof Parts, string>;
+
 /** Turn, stretch and move: how a hand would say it. A negative stretch mirrors. */
 export function PartFields({ map, among = [map], onChange, onDone }: MapFieldsProps) {
   const parts = decompose(map);
   const all = among.map(decompose);
   const { tellOf, below } = useProblems();
+  const prepared = useRef<ExactRow | null>(null);
   return (
     <>
       <div class={mapsCss["map-fields"]}>
@@ -44,7 +56,23 @@ export function PartFields({ map, among = [map], onChange, onDone }: MapFieldsPr
               digits,
             )}
             {...(unit === undefined ? {} : { unit })}
-            onChange={(value) => onChange(compose({ ...parts, [key]: value }), key)}
+            prepare={(text, value) => {
+              const found = exactParts({ ...parts, [key]: value }, (other) =>
+                other === key ? formulaTyped(text) : typedAs(fieldName(LABELS[other]), parts[other]),
+              );
+              return (
+                found?.then((row) => {
+                  prepared.current = row;
+                }) ?? null
+              );
+            }}
+            onChange={(value) => {
+              const found = prepared.current;
+              prepared.current = null;
+              return found
+                ? onChange(found.row, key, found.exact)
+                : onChange(compose({ ...parts, [key]: value }), key);
+            }}
             onDone={onDone}
             problems={tellOf(key)}
           />
@@ -75,8 +103,10 @@ const ROWS = [
 ] as const;
 
 /** The six numbers, laid out as the two equations that they are. */
-export function NumberFields({ map, among = [map], onChange, onDone }: MapFieldsProps) {
+export function NumberFields({ map, among = [map], exact = [], onChange, onDone }: MapFieldsProps) {
   const { tellOf, below } = useProblems();
+  const prepared = useRef<{ value: number; formula: string } | null>(null);
+  formulasRead.value;
   return (
     <>
       <div class={equationsCss["equations"]}>
@@ -100,10 +130,20 @@ export function NumberFields({ map, among = [map], onChange, onDone }: MapFields
                   among.map((one) => one[index]),
                   5,
                 )}
+                formula={shownExact(formulaAt(map[index], exact))}
+                prepare={(text, value) =>
+                  formulaTyped(text) === undefined
+                    ? null
+                    : exactEntry(text, value).then((one) => {
+                        prepared.current = one;
+                      })
+                }
                 onChange={(value) => {
+                  const found = prepared.current;
+                  prepared.current = null;
                   const next: MapRow = [...map];
-                  next[index] = value;
-                  return onChange(next, symbol);
+                  next[index] = found?.value ?? value;
+                  return onChange(next, symbol, found ? [found.formula] : []);
                 }}
                 onDone={onDone}
                 problems={tellOf(symbol)}

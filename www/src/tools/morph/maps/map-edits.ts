@@ -2,6 +2,7 @@ import { carryFrame } from "#document/editing/frame";
 import { selection } from "#document/morph";
 import { notify } from "#document/notice";
 import { edit, scene, undo } from "#document/scene";
+import { carriedExact, exactOf, withExact } from "#geometry/maps/exact";
 import { carriedWeights, withWeights } from "#geometry/maps/weighted";
 import type { MapRow, Scene } from "#wasm/api";
 import { type End, withShape } from "../edits";
@@ -32,17 +33,20 @@ export function removeChosen(): void {
 
 /** Another name for the shape of one end. It is no longer the gallery's, whose names are its own. */
 export function rename(scene: Scene, end: End, name: string): Scene {
-  const { preset: _, ...shape } = scene[end];
+  const { preset: _, ...shape } = withExact(scene[end], exactOf(scene[end]));
   return { ...scene, [end]: { ...shape, name } };
 }
 
 /**
  * Other maps at one end. The shape keeps its name and its weights, and is no longer the gallery's. Which map becomes
- * which is told by number, so it holds only while there are as many maps as before.
+ * which is told by number, so it holds only while there are as many maps as before. `exact`: formulas of entries.
  */
-export function setMaps(scene: Scene, end: End, maps: MapRow[]): Scene {
-  const { name, ...before } = scene[end];
-  const shape = withWeights({ name, maps: carryFrame(before.maps, maps) }, carriedWeights(before, maps));
+export function setMaps(scene: Scene, end: End, maps: MapRow[], exact: readonly string[] = []): Scene {
+  const before = scene[end];
+  const shape = withWeights(
+    carriedExact(before, before.name, carryFrame(before.maps, maps), exact),
+    carriedWeights(before, maps),
+  );
   if (maps.length !== before.maps.length) return withShape(scene, end, shape);
   return { ...scene, [end]: shape };
 }

@@ -1,0 +1,103 @@
+/** What is proved of an end of the morph whose numbers mean more than their doubles say. */
+import { held, selection, shown, shownPick } from "#document/morph";
+import { scene } from "#document/scene";
+import { standIn } from "#document/stand-in";
+import { exactOf } from "#geometry/maps/exact";
+import type { Analysis, CertificateCheck, ExactProof, MapRow } from "#wasm/api";
+import { compileExact } from "#wasm/exact";
+import { Coalesce } from "#workers/pool/coalesce";
+import { submit } from "#workers/pool/engine";
+import { single } from "#workers/pool/protocol";
+import { publish, verdict } from "./results";
+
+/** Maps with the formulas that some of their entries mean. */
+export interface Meant {
+  maps: MapRow[];
+  numbers: readonly string[];
+}
+
+/** The end of the morph that the stage shows; null on the way between both, and where something else is shown. */
+export function endShown(): "a" | "b" | null {
+  if (standIn.peek()) return null;
+  const editing = selection.peek();
+  if (editing) return editing.target;
+  const { t, tool = "morph" } = scene.peek();
+  if (tool === "space" || tool === "fit" || held.peek() || shownPick.peek()) return null;
+  return t === 0 ? "a" : t === 1 ? "b" : null;
+}
+
+/** That end, where some of its numbers are no doubles. */
+export function meantNow(): Meant | null {
+  const end = endShown();
+  if (end === null) return null;
+  const shape = scene.peek()[end];
+  const numbers = exactOf(shape);
+  return numbers.length > 0 ? { maps: shape.maps, numbers } : null;
+}
+
+export type ExactAnswer = ExactProof & {
+  check: CertificateCheck | null;
+  /** The formulas that it is about. */
+  numbers: readonly string[];
+};
+
+const queue = new Coalesce(submit);
+/** Asks for a proof about the numbers that are meant; null where there is none to be had. */
+export async function proveMeant(epsilon: number): Promise<ExactAnswer | null> {
+  const meant = meantNow();
+  if (!meant) return null;
+  const module = await compileExact();
+  return new Promise((resolve, reject) => {
+    queue.request(() =>
+      single<"exact">(
+        "exact",
+        56,
+        { kind: "exact", module, ...meant, epsilon },
+        {
+          accept: (answer) => resolve({ ...answer, numbers: meant.numbers }),
+          fail: reject,
+        },
+      ),
+    );
+  });
+}
+
+/** The verdict about doubles is not enough: says more where the exact numbers are proved to be in one piece. */
+export async function settle(maps: MapRow[], epsilon: number): Promise<void> {
+  const answer = await proveMeant(epsilon);
+  const now = verdict.peek();
+  if (answer?.state !== "connected" || !answer.check?.valid || !now || now.stale || shown.peek() !== maps)
+    return;
+  const { connectedness } = now;
+  const whole = connectedness.components.map(() => 0);
+  publish.verdict.value = {
+    ...now,
+    numbers: answer.numbers,
+    connectedness: {
+      ...connectedness,
+      verdict: "connected",
+      gap: { lower: 0, upper: 0 },
+      components: whole,
+      count: 1,
+      reason: answer.reason,
+    },
+  };
+}
+
+/** Neighbours, open set condition, dimension and boundary of the end that is shown; of doubles as they are. */
+export async function analyzeShown(): Promise<Analysis | null> {
+  const end = endShown();
+  if (end === null) return null;
+  const shape = scene.peek()[end];
+  const module = await compileExact();
+  return new Promise((resolve, reject) => {
+    submit(
+      single<"analysis">(
+        "analysis",
+        55,
+        { kind: "analysis", module, maps: shape.maps, numbers: exactOf(shape) },
+        { accept: resolve, fail: reject },
+      ),
+    );
+  });
+}

@@ -1,0 +1,58 @@
+/** Formulas that entries of maps mean exactly, read by a module that is fetched for them. */
+import { type ReadonlySignal, signal } from "@preact/signals";
+import { sizes } from "#geometry/maps/exact";
+import { loadExact } from "#wasm/exact";
+
+/** A formula of an exact number: the double nearest to it, and the formula in its shortest form. */
+export interface ExactNumber {
+  value: number;
+  formula: string;
+}
+
+const reads = signal(0);
+
+/** Grows when doubles of formulas have become known. */
+export const formulasRead: ReadonlySignal<number> = reads;
+
+/**
+ * Reads formulas; null for each that stands for no number of the fields that Frond computes in. Rejects if the module
+ * cannot be fetched.
+ */
+export async function readExact(formulas: readonly string[]): Promise<(ExactNumber | null)[]> {
+  const { readNumbers } = await loadExact();
+  const found = readNumbers([...formulas]).map((one) =>
+    "problem" in one ? null : { value: one.value, formula: linked(one.text) },
+  );
+  for (const one of found) if (one) learn(one);
+  reads.value++;
+  return found;
+}
+
+const learn = ({ formula, value }: ExactNumber) => sizes.set(formula, Math.abs(value));
+
+/** The formula among these that an entry of a map means; of its opposite with a minus. */
+export function formulaAt(x: number, formulas: readonly string[]): string | undefined {
+  const formula = formulas.find((one) => sizes.get(one) === Math.abs(x));
+  if (formula === undefined || x >= 0) return formula;
+  const isTerm = !/[+-]/.test(formula) || /^\(.*\)\/\d+$/.test(formula);
+  return isTerm ? `-${formula}` : `-(${formula})`;
+}
+
+/** In the words of a link. */
+const linked = (text: string) =>
+  text
+    .replace(/\s/g, "")
+    .replace(/√(\d+)/g, "sqrt($1)")
+    .replace(/\^/g, "**");
+
+/** Learns the doubles of formulas that came with a link. */
+export async function learnFormulas(formulas: readonly string[]): Promise<void> {
+  const unknown = formulas.filter((formula) => !sizes.has(formula));
+  if (unknown.length === 0) return;
+  const found = await readExact(unknown);
+  for (const [k, formula] of unknown.entries()) {
+    const one = found[k];
+    if (one) learn({ ...one, formula });
+  }
+  reads.value++;
+}

@@ -1,0 +1,154 @@
+/** What follows from the exact numbers of a shape: its neighbours, and what they tell. */
+import { useEffect, useState } from "preact/hooks";
+import { analyzeShown, endShown } from "#compute/exact";
+import { verdict } from "#compute/results";
+import { readExact } from "#document/exact";
+import { shown } from "#document/morph";
+import { announce, notify, wordsOf } from "#document/notice";
+import { edit, scene } from "#document/scene";
+import { exactOf } from "#geometry/maps/exact";
+import { Button } from "#ui/controls/Button";
+import type { Analysis, MapRow, Reason } from "#wasm/api";
+import { shownExact } from "../maps/exact-fields";
+import { setMaps } from "../maps/map-edits";
+import css from "./evidence.module.css";
+import * as messages from "./messages";
+
+export function Exact({ reason }: { reason: Reason | undefined }) {
+  const assuming = reason?.assuming ?? [];
+  const numbers = verdict.value?.numbers ?? [];
+  shown.value;
+  return (
+    <>
+      {assuming.length > 0 && endShown() !== null && (
+        <Button onClick={() => void takeExact(assuming)}>{messages.useExact}</Button>
+      )}
+      {numbers.length > 0 && (
+        <p>
+          <span class={css["evidence-name"]}>{messages.exactNumbers}</span> {list(numbers)}.
+        </p>
+      )}
+      <Neighbours />
+    </>
+  );
+}
+
+const list = (formulas: readonly string[]) => formulas.map((one) => shownExact(one)).join(", ");
+
+/** Doubles that are as near as this to a number, as a part of it, are taken for it. */
+const NEAR = 8 * Number.EPSILON;
+
+/** The maps of the end that is shown mean what the reason has read: "0.3333333333333333 is 1/3". */
+async function takeExact(assuming: readonly string[]): Promise<void> {
+  const end = endShown();
+  if (end === null) return;
+  const formulas = assuming.map((one) =>
+    one.slice(one.indexOf(" is ") + 4).replace(/\s|°/g, (c) => (c === "°" ? "deg" : "")),
+  );
+  try {
+    const found = (await readExact(formulas)).flatMap((one) => one ?? []);
+    const exactly = (x: number) =>
+      found.find(({ value }) => Math.abs(Math.abs(x) - value) <= NEAR * value)?.value ?? Math.abs(x);
+    const { maps } = scene.peek()[end];
+    const next = maps.map((map) => map.map((x) => (x < 0 ? -exactly(x) : exactly(x))) as MapRow);
+    edit((before) =>
+      setMaps(
+        before,
+        end,
+        next,
+        found.map(({ formula }) => formula),
+      ),
+    );
+    announce(messages.exactUsed(list(exactOf(scene.peek()[end]))));
+  } catch (problem) {
+    notify({ kind: "error", text: wordsOf(problem) });
+  }
+}
+
+type Found =
+  | { state: "asked" }
+  | { state: "there"; analysis: Analysis | null }
+  | { state: "failed"; why: string };
+
+function Neighbours() {
+  const [open, setOpen] = useState(false);
+  const [found, setFound] = useState<Found | null>(null);
+  const maps = shown.value;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: other maps are asked about anew
+  useEffect(() => {
+    if (!open) return;
+    let current = true;
+    const set = (next: Found) => current && setFound(next);
+    set({ state: "asked" });
+    analyzeShown().then(
+      (analysis) => set({ state: "there", analysis }),
+      (problem) => set({ state: "failed", why: wordsOf(problem) }),
+    );
+    return () => {
+      current = false;
+    };
+  }, [open, maps]);
+  return (
+    <details
+      class={css["evidence-analysis"]}
+      open={open}
+      onToggle={(event) => setOpen(event.currentTarget.open)}
+      data-testid="analysis"
+    >
+      <summary>{messages.analysis}</summary>
+      {found && <Answer found={found} />}
+    </details>
+  );
+}
+
+function Answer({ found }: { found: Found }) {
+  if (found.state === "asked") return <p role="status">{messages.analyzing}</p>;
+  if (found.state === "failed") return <p role="status">{messages.analysisFailed(found.why)}</p>;
+  if (!found.analysis) return <p>{messages.onlyAtEnds}</p>;
+  const rows = rowsOf(found.analysis);
+  if (rows.length === 0) return <p>{messages.nothingFound}</p>;
+  return (
+    <dl>
+      {rows.map(([name, value]) => (
+        <div key={name}>
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+const CONDITION = {
+  yes: messages.holdsProved,
+  no: messages.doesNotHold,
+  undecided: messages.notDecidedYet,
+} as const;
+
+function rowsOf({
+  openSetCondition,
+  neighbours,
+  dimension,
+  boundary,
+  innerPoints,
+}: Analysis): [string, string][] {
+  const rows: [string, string][] = [];
+  const isKnown = dimension !== null || neighbours !== null || openSetCondition !== "undecided";
+  if (!isKnown) return rows;
+  rows.push([messages.openSetCondition, CONDITION[openSetCondition]]);
+  if (neighbours !== null) rows.push([messages.neighbours, String(neighbours)]);
+  if (dimension) rows.push([messages.dimension, dimensionWords(dimension)]);
+  if (innerPoints !== null) rows.push([messages.innerPoints, innerPoints ? messages.yes : messages.no]);
+  if (boundary) rows.push([messages.dimensionOfBoundary, dimensionWords(boundary.dimension)]);
+  return rows;
+}
+
+/** Digits of a dimension that are shown. */
+const DIGITS = 6;
+
+function dimensionWords({ value, upper, proved, exact }: NonNullable<Analysis["dimension"]>): string {
+  if (!proved) return messages.atMostOf(upper.toFixed(DIGITS));
+  if (exact !== null && /^\d+$/.test(exact)) return messages.proved(exact);
+  const words = value.toFixed(DIGITS);
+  return exact === null ? messages.proved(words) : messages.equals(exact, words);
+}
