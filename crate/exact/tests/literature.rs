@@ -37,7 +37,7 @@ fn found(system: &System) -> Analysis {
 }
 
 fn assert_dimension(analysis: &Analysis, known: f64) {
-    let dimension = analysis.dimension.unwrap();
+    let dimension = analysis.dimension.as_ref().unwrap();
     assert!(dimension.is_proved, "{analysis:?}");
     assert!(dimension.lower <= known + 1e-14 && known - 1e-14 <= dimension.upper, "{known} {dimension:?}");
     assert!(dimension.upper - dimension.lower < 1e-11, "{dimension:?}");
@@ -46,7 +46,7 @@ fn assert_dimension(analysis: &Analysis, known: f64) {
 fn assert_tile(analysis: &Analysis, boundary: f64, neighbours: Option<usize>) {
     assert_eq!(analysis.open_set_condition, OpenSetCondition::Yes, "{:?}", analysis.reasons);
     assert_eq!(analysis.has_inner_points, Some(true));
-    let dimension = analysis.boundary.as_ref().unwrap().dimension;
+    let dimension = &analysis.boundary.as_ref().unwrap().dimension;
     assert!((dimension.value - boundary).abs() < 1e-10, "{dimension:?}, known {boundary}");
     assert!(dimension.upper - dimension.lower < 1e-10, "{dimension:?}");
     if neighbours.is_some() {
@@ -73,6 +73,7 @@ fn curves_and_dusts_have_the_dimension_of_moran() {
     let koch = found(&system(&koch.map(|(a, b)| (a, b, false))));
     assert_eq!(koch.open_set_condition, OpenSetCondition::Yes);
     assert_dimension(&koch, 4f64.ln() / 3f64.ln());
+    assert_eq!(koch.dimension.unwrap().exact.as_deref(), Some("log 4 / log 3"));
 
     let dust = found(&system(&[("1/3", "0", false), ("1/3", "2/3", false)]));
     assert_eq!((dust.neighbours, dust.open_set_condition), (Some(0), OpenSetCondition::Yes));

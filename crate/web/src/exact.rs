@@ -108,8 +108,8 @@ struct PlainDimension {
 
 impl From<&Dimension> for PlainDimension {
     fn from(found: &Dimension) -> Self {
-        let Dimension { value, lower, upper, is_proved, .. } = *found;
-        Self { value, lower, upper, proved: is_proved, exact: None }
+        let Dimension { value, lower, upper, is_proved: proved, ref exact } = *found;
+        Self { value, lower, upper, proved, exact: exact.clone() }
     }
 }
 

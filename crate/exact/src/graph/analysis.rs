@@ -1,6 +1,7 @@
 //! What the graph of neighbour maps tells about a system.
 
 use crate::error::ExactError;
+use crate::graph::closed_form::closed_form;
 use crate::graph::growth::{Weighted, components, exponent};
 use crate::graph::neighbours::{Graph, Overlap};
 use crate::graph::types::types;
@@ -70,7 +71,7 @@ pub enum Reason {
 }
 
 /// A Hausdorff dimension.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Dimension {
     /// The best double.
     pub value: f64,
@@ -80,6 +81,8 @@ pub struct Dimension {
     pub upper: f64,
     /// Whether the lower bound belongs to it too.
     pub is_proved: bool,
+    /// What it is exactly, where that can be said: "log 4 / log 3".
+    pub exact: Option<String>,
 }
 
 /// The boundary of a shape with inner points.
@@ -154,6 +157,7 @@ pub fn analyze(
     let mut dimension = of_bounds(plain, space, false);
     if is_finite_type && graph.overlap.is_none() {
         dimension = of_bounds(plain, space, true);
+        dimension.exact = symbolic(system)?;
         reasons.push(Reason::FiniteType);
         let parts = components(system.states.len(), &steps);
         if parts.len() == 1 {
@@ -163,7 +167,8 @@ pub fn analyze(
             } else if is_full(system)? {
                 reasons.push(Reason::FullDimension);
                 let full = space as f64;
-                dimension = Dimension { value: full, lower: full, upper: full, is_proved: true };
+                let exact = Some(space.to_string());
+                dimension = Dimension { value: full, lower: full, upper: full, is_proved: true, exact };
                 analysis.has_inner_points = Some(true);
                 analysis.boundary = boundary(system, &graph);
             }
@@ -199,7 +204,18 @@ fn of_bounds((lower, upper): (f64, f64), space: usize, is_proved: bool) -> Dimen
         lower: if is_proved { lower } else { 0.0 },
         upper,
         is_proved,
+        exact: None,
     }
+}
+
+/// The dimension of one state without overlaps, whose maps scale by one factor.
+fn symbolic(system: &System) -> Result<Option<String>, ExactError> {
+    let [maps] = &system.states[..] else { return Ok(None) };
+    if one_ratio(system)?.is_none() {
+        return Ok(None);
+    }
+    let squares = squares(system).unwrap_or_default();
+    Ok(squares.first().and_then(|square| closed_form(maps.len(), square)))
 }
 
 /// The states that state 0 is made of.

@@ -1,4 +1,5 @@
 /** The command `frond`: pictures, films, loci and answers without a browser. What the system gives is handed in. */
+import { analyze } from "./analyze";
 import { connectedness, distance, exported, locus } from "./answers";
 import { certificate, check } from "./certificate";
 import { render } from "./draw/render";
@@ -15,6 +16,7 @@ const COMMANDS: Readonly<Record<string, help.Words & { run: Command }>> = {
   render: { ...help.RENDER, run: render },
   locus: { ...help.LOCUS, run: locus },
   connectedness: { ...help.CONNECTEDNESS, run: connectedness },
+  analyze: { ...help.ANALYZE, run: analyze },
   distance: { ...help.DISTANCE, run: distance },
   certificate: { ...help.CERTIFICATE, run: certificate },
   check: { ...help.CHECK, run: check },

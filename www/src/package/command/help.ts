@@ -82,6 +82,26 @@ export const CONNECTEDNESS: Words = {
   examples: ["frond connectedness shape.ifs"],
 };
 
+export const ANALYZE: Words = {
+  takes: SUBJECT,
+  short: "open set condition, dimension and boundary of a shape, exactly",
+  options: [
+    [
+      "numbers",
+      "1/3,sqrt(3)/6",
+      "what entries of the maps stand for: one that is the double nearest to such a number is that number",
+    ],
+    ["json", null, "as JSON"],
+    ["budget", "20000", "look at so many pairs of pieces at most"],
+    T,
+    QUIET,
+  ],
+  more:
+    "Entries that stand for no number are what their digits say. A link says itself what the numbers of its " +
+    "shapes stand for, and so does the gallery; a file does not. The exit code is 1 where nothing was decided.",
+  examples: ['frond analyze "a=koch&b=koch&t=0"', "frond analyze dust.json --numbers 1/3,2/3 --json"],
+};
+
 export const DISTANCE: Words = {
   takes: "LINK|-",
   short: "how far A and B are from each other (Hausdorff distance), as JSON",

@@ -3,6 +3,7 @@ import type { MapRow3, SpaceLight, SpaceView } from "#wasm/api";
 
 export type Draw = typeof import("../../../pkg/frond.js");
 export type Proof = typeof import("../../../pkg/frond-proof.js");
+export type Exact = typeof import("../../../pkg/frond-exact.js");
 export type Exchange = typeof import("../../../pkg/frond-exchange.js");
 export type Directed = typeof import("../../../pkg/frond-directed.js");
 export type Solid = typeof import("../../../pkg/frond-space.js");

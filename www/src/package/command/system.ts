@@ -7,6 +7,7 @@ import type {
   Directed,
   Draw,
   Drawings,
+  Exact,
   Exchange,
   Fitting,
   Pixels,
@@ -66,6 +67,7 @@ export interface System {
   draw(): Promise<Draw>;
   proof(): Promise<Proof>;
   exchange(): Promise<Exchange>;
+  exact(): Promise<Exact>;
   directed(): Promise<Directed>;
   space(): Promise<Solid>;
   curve(): Promise<Curves>;

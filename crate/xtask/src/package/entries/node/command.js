@@ -43,6 +43,7 @@ const system = {
   draw: () => started(import("./draw.js")),
   proof: () => started(import("./proof.js")),
   exchange: () => started(import("./exchange.js")),
+  exact: () => started(import("./exact.js")),
   directed: () => started(import("./directed.js")),
   space: () => started(import("./space.js")),
   curve: () => started(import("./curve.js")),
