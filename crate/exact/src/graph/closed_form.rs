@@ -4,6 +4,9 @@ use num_traits::ToPrimitive;
 
 use crate::number::value::Number;
 
+/// Longer texts say less than the number: ratios may be doubles.
+const LONGEST: usize = 40;
+
 /// The dimension of so many pieces that scale by one ratio, whose square this is, and do not overlap: log n / log(1/r),
 /// by whole numbers where that can be, reduced as far as it goes. `None` where the ratio has no short text.
 pub(crate) fn closed_form(count: usize, square: &Number) -> Option<String> {
@@ -15,10 +18,11 @@ pub(crate) fn closed_form(count: usize, square: &Number) -> Option<String> {
         return of_whole(count.to_u64()?, over.numerator().to_u64()?);
     }
     let root = over.root(2).and_then(|root| root.in_real_field()).ok().and_then(|root| root.text());
-    match root {
-        Some(root) => Some(format!("log {count} / log({root})")),
-        None => over.text().map(|over| format!("2 log {count} / log({over})")),
-    }
+    let text = match root {
+        Some(root) => format!("log {count} / log({root})"),
+        None => format!("2 log {count} / log({})", over.text()?),
+    };
+    Some(text).filter(|text| text.len() <= LONGEST)
 }
 
 /// 2 log n / log q.
@@ -56,7 +60,7 @@ mod tests {
             (4, "1/9", "log 2 / log 3", 0.630_929_753_571_457_4),
             (2, "1/sqrt(3)", "log 4 / log 3", 1.261_859_507_142_914_9),
             (7, "1/sqrt(7)", "2", 2.0),
-            (5, "(3-sqrt(5))/2", "log 5 / log((3+√5)/2)", 1.672_275_938_187_554_4),
+            (5, "(3-sqrt(5))/2", "log 5 / log((3+√5)/2)", 1.672_275_938_184_556_2),
             (2, "2/3", "log 2 / log(3/2)", 1.709_511_291_351_454_8),
             (6, "sqrt((6-sqrt(5))/31)", "2 log 6 / log(6+√5)", 1.699_539_851_192_903),
             (1, "1/3", "0", 0.0),
@@ -68,6 +72,7 @@ mod tests {
             assert!((near - value).abs() < 1e-12, "{ratio} {near}");
         }
         let strange = Number::parse("cos(40°)/2").unwrap();
-        assert_eq!(closed_form(3, &strange), None);
+        let double = Number::parse("3602879701896397/9007199254740992").unwrap();
+        assert_eq!([strange, double.power(2).unwrap()].map(|square| closed_form(3, &square)), [None, None]);
     }
 }

@@ -82,7 +82,7 @@ function Neighbours() {
     set({ state: "asked" });
     analyzeShown().then(
       (analysis) => set({ state: "there", analysis }),
-      (problem) => set({ state: "failed", why: wordsOf(problem) }),
+      (problem) => set({ state: "failed", why: whyNot(problem) }),
     );
     return () => {
       current = false;
@@ -101,9 +101,16 @@ function Neighbours() {
   );
 }
 
+/** Some shapes have no such graph: that is no failure. */
+function whyNot(problem: unknown): string {
+  const code = (problem as { code?: unknown } | null)?.code;
+  if (code === "exact-singular") return messages.flatMap;
+  return messages.analysisFailed(wordsOf(problem));
+}
+
 function Answer({ found }: { found: Found }) {
   if (found.state === "asked") return <p role="status">{messages.analyzing}</p>;
-  if (found.state === "failed") return <p role="status">{messages.analysisFailed(found.why)}</p>;
+  if (found.state === "failed") return <p role="status">{found.why}</p>;
   if (!found.analysis) return <p>{messages.onlyAtEnds}</p>;
   const rows = rowsOf(found.analysis);
   if (rows.length === 0) return <p>{messages.nothingFound}</p>;

@@ -18,6 +18,8 @@ export const exactNumbers = "Exact numbers";
 export const analysis = "Dimension and neighbours";
 export const analyzing = "Searching for neighbours …";
 export const analysisFailed = (problem: string) => `The search failed: ${problem}`;
+export const flatMap =
+  "One of the maps flattens the plane, so Frond does not search for neighbours of its pieces.";
 export const onlyAtEnds = "Go to A or B: between them the numbers are decimals.";
 export const openSetCondition = "Open set condition";
 export const holdsProved = "holds, proved";
