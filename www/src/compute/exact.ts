@@ -5,7 +5,7 @@ import { held, selection, shown, shownPick } from "#document/morph";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
 import { exactOf } from "#geometry/maps/exact";
-import type { Analysis, CertificateCheck, ExactProof, MapRow } from "#wasm/api";
+import type { Analysis, CertificateCheck, Connectedness, ExactProof, MapRow } from "#wasm/api";
 import { compileExact } from "#wasm/exact";
 import { Coalesce } from "#workers/pool/coalesce";
 import { submit } from "#workers/pool/engine";
@@ -75,10 +75,13 @@ export function scheduleExact(): void {
 
 async function settle(maps: MapRow[], epsilon: number): Promise<void> {
   const answer = await proveMeant(epsilon);
-  const now = verdict.peek();
-  if (answer?.state !== "connected" || !answer.check?.valid || !now || now.stale || shown.peek() !== maps)
-    return;
+  const now = current(maps);
+  if (!now) return;
   const { connectedness } = now;
+  if (answer?.state !== "connected" || !answer.check?.valid) {
+    if (connectedness.verdict === "touching" && !connectedness.reason) lookCloser(maps, epsilon);
+    return;
+  }
   publish.verdict.value = {
     ...now,
     numbers: answer.numbers,
@@ -91,6 +94,25 @@ async function settle(maps: MapRow[], epsilon: number): Promise<void> {
       reason: answer.reason,
     },
   };
+}
+
+/** What is said of these maps, if it is still what the stage shows. */
+function current(maps: MapRow[]) {
+  const now = verdict.peek();
+  return now && !now.stale && shown.peek() === maps ? now : null;
+}
+
+/** So many times closer it is looked at an end of the morph that only touches: a gap may be narrower than a pixel. */
+const CLOSER = 1e-3;
+
+function lookCloser(maps: MapRow[], epsilon: number): void {
+  if (endShown() === null) return;
+  const accept = (connectedness: Connectedness) => {
+    const now = current(maps);
+    if (now && connectedness.verdict === "disconnected") publish.verdict.value = { ...now, connectedness };
+  };
+  const task = { kind: "verdict", maps, epsilon: CLOSER * epsilon } as const;
+  submit(single<"verdict">("closer", 54, task, { accept, fail: () => {} }));
 }
 
 /** Neighbours, open set condition, dimension and boundary of the end that is shown; of doubles as they are. */

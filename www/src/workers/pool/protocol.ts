@@ -199,6 +199,7 @@ export type Channel =
   | "certificate"
   | "exact"
   | "analysis"
+  | "closer"
   | "candidates"
   | "routes"
   | "ways"
