@@ -9,11 +9,15 @@ not bound its work: give it certificates of some thousand pairs at most.
 """
 
 import json
+import re
 import sys
 from fractions import Fraction
 from itertools import product
+from math import ulp
 
 MOST = {"maps": 256, "corners": 512, "pairs": 10**6, "cells": 10**5, "word": 1000, "letters": 10**7, "blocks": 4096}
+MOST |= {"degree": 16, "numeral": 1000, "numerals": 200_000}
+HALVINGS = 256
 FARTHEST_CELL = 10**6
 
 
@@ -99,11 +103,163 @@ def determinant(m):
     return m[0] * m[3] - m[1] * m[2]
 
 
+def image_over(m, p):
+    """The image of (x, y) / z."""
+    x, y, z = p
+    return (m[0] * x + m[1] * y + m[4] * z, m[2] * x + m[3] * y + m[5] * z, z)
+
+
+def step(p, q):
+    """From (x, y) / z to another point, but for a positive factor."""
+    return (q[0] * p[2] - p[0] * q[2], q[1] * p[2] - p[1] * q[2])
+
+
+def sign(x):
+    """Of a number; None where that is not known."""
+    return x.sign() if isinstance(x, Number) else (x > 0) - (x < 0)
+
+
+# Exact numbers: polynomials modulo one of which a real root is meant.
+
+def fraction(text, form=r"-?[0-9]+(/[0-9]+)?"):
+    need(isinstance(text, str) and re.fullmatch(form, text), "something is no fraction in digits")
+    over, _, under = text.partition("/")
+    need(not under or int(under) != 0, "a fraction is over 0")
+    return Fraction(int(over), int(under or 1))
+
+
+class Number:
+    """A sum of powers of the root with fractions before them. The same fractions are the same number. Others may be it
+    as well, where the polynomial has factors: nothing is concluded from that they differ."""
+
+    def __init__(self, root, value):
+        self.root, self.value = root, tuple(value)
+
+    def like(self, x):
+        return x if isinstance(x, Number) else Number(self.root, [x] + [Fraction(0)] * (len(self.value) - 1))
+
+    def __add__(self, x):
+        return Number(self.root, (a + b for a, b in zip(self.value, self.like(x).value)))
+
+    def __neg__(self):
+        return Number(self.root, (-a for a in self.value))
+
+    def __sub__(self, x):
+        return self + -x
+
+    def __rsub__(self, x):
+        return -self + x
+
+    def __mul__(self, x):
+        a, b = self.value, self.like(x).value
+        long = [Fraction(0)] * (2 * len(a) - 1)
+        for (i, x), (j, y) in product(enumerate(a), enumerate(b)):
+            long[i + j] += x * y
+        while len(long) > len(a):
+            top = long.pop()
+            for k, p in enumerate(self.root.polynomial[:-1], len(long) - len(a)):
+                long[k] -= top * p / self.root.polynomial[-1]
+        return Number(self.root, long)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def is_zero(self):
+        return not any(self.value)
+
+    def sign(self):
+        low, high = self.root.around(self.value)
+        if self.is_zero() or low == high == 0:
+            return 0
+        return 1 if low > 0 else -1 if high < 0 else None
+
+
+class Root:
+    """The one root of a polynomial in an interval, which is made narrow."""
+
+    def __init__(self, polynomial, low, high):
+        self.polynomial, self.low, self.high = polynomial, low, high
+        below = sign(self.at(low))
+        need(low < high and below * sign(self.at(high)) < 0, "the polynomial does not change its sign")
+        slope = self.around([k * p for k, p in enumerate(polynomial)][1:])
+        need(slope[0] > 0 or slope[1] < 0, "the derivative may be 0")
+        for _ in range(HALVINGS):
+            middle = (self.low + self.high) / 2
+            here = sign(self.at(middle))
+            if here == 0:
+                self.low = self.high = middle
+                break
+            if here == below:
+                self.low = middle
+            else:
+                self.high = middle
+
+    def at(self, x):
+        value = Fraction(0)
+        for p in reversed(self.polynomial):
+            value = value * x + p
+        return value
+
+    def around(self, coefficients):
+        """Bounds of a polynomial, for any number of the interval."""
+        low = high = Fraction(0)
+        for p in reversed(coefficients):
+            ends = [x * y for x in (low, high) for y in (self.low, self.high)]
+            low, high = min(ends) + p, max(ends) + p
+        return low, high
+
+
+class Exact:
+    """Entries of maps that are numbers of one field."""
+
+    def __init__(self, value, doubles):
+        polynomial, entries = items(field(value, "polynomial")), items(field(value, "entries"))
+        ends = items(field(value, "root"), 2)
+        degree = len(polynomial) - 1
+        need(1 <= degree <= MOST["degree"], "the polynomial has another degree")
+        listed = {}
+        for entry in entries:
+            place = whole(field(entry, "map"), 0, 255), whole(field(entry, "entry"), 0, 255)
+            powers = items(field(entry, "value"))
+            need(place[0] < len(doubles) and place[1] < 6 and place not in listed, "an exact entry is out of place")
+            need(len(powers) <= degree, "an exact entry has too many powers")
+            listed[place] = powers
+        texts = [*polynomial, *ends, *(text for powers in listed.values() for text in powers)]
+        need(all(isinstance(text, str) for text in texts), "a fraction is no text")
+        need(max(map(len, texts)) <= MOST["numeral"], "a fraction has too many digits")
+        need(sum(map(len, texts)) <= MOST["numerals"], "there are too many digits")
+        polynomial = [fraction(text, form="-?[0-9]+") for text in polynomial]
+        need(polynomial[-1] != 0, "the highest coefficient is 0")
+        self.root = Root(polynomial, *map(fraction, ends))
+        self.listed = {}
+        rows = [[Number(self.root, [x] + [Fraction(0)] * (degree - 1)) for x in row] for row in doubles]
+        for (k, entry), powers in listed.items():
+            number = Number(self.root, [*map(fraction, powers), *[Fraction(0)] * (degree - len(powers))])
+            rows[k][entry] = number
+            double = doubles[k][entry]
+            self.listed[k, entry] = unit = Fraction(ulp(double)) if double else Fraction(0)
+            within = [sign(unit + off) for off in (number - double, double - number)]
+            need(all(one in (0, 1) for one in within), f"number {entry} of map {k} is not near its double")
+        self.maps = [tuple(row) for row in rows]
+
+    def off(self, doubles, polygon, letters):
+        """For each map a bound of how far its image of a point may be from that of the doubles, along x and along y."""
+        units = [[self.listed.get((k, entry), Fraction(0)) for entry in range(6)] for k in range(len(doubles))]
+        reach = tuple(max(abs(p[n]) for p in polygon) for n in (0, 1))
+        for _ in range(1, letters):
+            images = [image([abs(x) + u for x, u in zip(row, unit)], reach) for row, unit in zip(doubles, units)]
+            reach = tuple(max([reach[n]] + [one[n] for one in images]) for n in (0, 1))
+        return [image(unit, reach) for unit in units]
+
+
 class Shape:
     """Maps and a polygon around their attractor."""
 
-    def __init__(self, maps, polygon):
-        self.maps, self.polygon = maps, polygon
+    def __init__(self, maps, polygon, exact=None, letters=1):
+        self.maps, self.polygon, self.exact = maps, polygon, exact
+        # For each map how far exact numbers may take the images of points from those of the doubles.
+        self.off = exact.off(maps, polygon, letters) if exact else None
+        # What is equal is decided of the numbers that are meant.
+        self.meant = exact.maps if exact else maps
         self.known = {(): tuple(map(Fraction, (1, 0, 0, 1, 0, 0)))}
         self.edges = [(p, polygon[(k + 1) % len(polygon)]) for k, p in enumerate(polygon)]
         # Outer normals.
@@ -118,7 +274,18 @@ class Shape:
         """The greatest n . x over the image of the polygon under a word."""
         m = self.map(w)
         back = (m[0] * n[0] + m[2] * n[1], m[1] * n[0] + m[3] * n[1])
-        return max(dot(back, p) for p in self.polygon) + dot(n, m[4:])
+        return max(dot(back, p) for p in self.polygon) + dot(n, m[4:]) + self.more(w, n)
+
+    def more(self, w, n):
+        """How much farther than doubles exact numbers may reach: letter by letter along what the rest makes of n."""
+        if not self.off:
+            return 0
+        more = 0
+        for k, letter in enumerate(w):
+            a, b, c, d, _, _ = self.map(w[:k])
+            along = (a * n[0] + c * n[1], b * n[0] + d * n[1])
+            more += dot(tuple(map(abs, along)), self.off[letter])
+        return more
 
     def nearest(self, w, n):
         return -self.farthest(w, (-n[0], -n[1]))
@@ -135,11 +302,18 @@ class Shape:
             need(self.farthest(w, n) < dot(n, p), f"the word {w} does not map the polygon into its inside")
 
     def point(self, head, repeat):
-        """w_head of the point that w_repeat fixes, by Cramer's rule."""
-        a, b, c, d, e, f = self.map(repeat)
+        """w_head of the point that w_repeat fixes, by Cramer's rule: (x, y, z) for (x, y) / z, where z is positive."""
+        a, b, c, d, e, f = self.meant_map(repeat)
         under = (1 - a) * (1 - d) - b * c
-        fixed = (((1 - d) * e + b * f) / under, ((1 - a) * f + c * e) / under)
-        return image(self.map(head), fixed)
+        return image_over(self.meant_map(head), ((1 - d) * e + b * f, (1 - a) * f + c * e, under))
+
+    def meant_map(self, w):
+        if not self.exact:
+            return self.map(w)
+        m = tuple(map(Fraction, (1, 0, 0, 1, 0, 0)))
+        for letter in w:
+            m = after(m, self.meant[letter])
+        return m
 
     def address(self, value):
         head, repeat = word(field(value, "head")), word(field(value, "repeat"))
@@ -152,12 +326,13 @@ class Shape:
         need(len(w) <= MOST["word"], "a word is too long")
 
 
-def shape_of(proof):
+def shape_of(proof, letters=1):
     maps = [numbers(row, 6) for row in items(field(proof, "maps"))]
     polygon = [numbers(p, 2) for p in items(field(proof, "polygon"))]
     need(0 < len(maps) <= MOST["maps"], "it has no maps, or too many")
     need(3 <= len(polygon) <= MOST["corners"], "its polygon has too few corners, or too many")
-    return Shape(maps, polygon)
+    exact = proof.get("exact")
+    return Shape(maps, polygon, None if exact is None else Exact(exact, maps), letters)
 
 
 def all_reached(count, pairs):
@@ -172,15 +347,15 @@ def all_reached(count, pairs):
 # In several pieces.
 
 def check_disconnected(proof):
-    shape = shape_of(proof)
-    count = len(shape.maps)
     letters = whole(field(proof, "letters"), 1, MOST["word"])
+    need(len(items(field(proof, "maps"))) ** letters <= MOST["blocks"], "it has too many words that map the polygon")
+    shape = shape_of(proof, letters)
+    count = len(shape.maps)
     side = [whole(s, 0, 255) for s in items(field(proof, "side"))]
     pairs = [
         (word(field(pair, "u")), word(field(pair, "v")), numbers(field(pair, "normal"), 2))
         for pair in items(field(proof, "pairs"))
     ]
-    need(count**letters <= MOST["blocks"], "it has too many words that map the polygon")
     need(len(side) == count and set(side) == {0, 1}, "the cut does not part the maps in two")
     need(0 < len(pairs) <= MOST["pairs"], "it has no pairs, or too many")
     need(sum(len(u) + len(v) for u, v, _ in pairs) <= MOST["letters"], "it has too many letters")
@@ -267,13 +442,23 @@ def first(address):
 
 def point_link(shape, link):
     a, b = (shape.address(value) for value in items(field(link, "addresses"), 2))
-    return (first(a), first(b)), lambda known: shape.point(*a) == shape.point(*b)
+    return (first(a), first(b)), lambda known: all(is_zero(x) for x in step(shape.point(*a), shape.point(*b)))
+
+
+def is_zero(x):
+    return x.is_zero() if isinstance(x, Number) else x == 0
 
 
 def area_link(shape, link):
     i, j = pair_of(shape, link)
     need(i != j, "a link leads from a map to itself")
-    return (i, j), lambda known: sum(abs(determinant(shape.maps[k])) for k in (i, j)) >= 1
+
+    def holds(known):
+        areas = [determinant(shape.meant[k]) for k in (i, j)]
+        signs = [sign(area) for area in areas]
+        return None not in signs and sign(sum(area * s for area, s in zip(areas, signs)) - 1) in (0, 1)
+
+    return (i, j), holds
 
 
 def difference_link(shape, link):
@@ -301,11 +486,13 @@ def between_link(shape, link):
 
     def holds(known):
         p, q, r = (shape.point(*address) for address in (a, b, c))
-        along = minus(q, p)
+        along = step(p, q)
+        if not any(sign(x) in (-1, 1) for x in along):
+            return False
         if not known["line"]:
-            images = [image(m, x) for m in shape.maps for x in (p, q)]
-            known["line"] = p != q and all(cross(along, minus(x, p)) == 0 for x in images)
-        return known["line"] and p != q and dot(along, minus(r, p)) >= 0 and dot(along, minus(q, r)) >= 0
+            images = [image_over(m, x) for m in shape.meant for x in (p, q)]
+            known["line"] = all(is_zero(cross(along, step(p, x))) for x in images)
+        return known["line"] and all(sign(dot(along, way)) in (0, 1) for way in (step(p, r), step(r, q)))
 
     return (first(a), first(c)), holds
 
@@ -348,6 +535,7 @@ class Differences:
     """Squares full of differences of two points, where all maps have one linear part."""
 
     def __init__(self, shape, squares):
+        need(shape.exact is None, "squares of exact numbers are not checked")
         self.size = numbers(field(squares, "size"), 2)
         self.cells = []
         cells = items(field(squares, "cells"))

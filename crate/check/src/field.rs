@@ -1,6 +1,7 @@
 //! Maps whose entries are numbers of one field `Q[x] / (p)`: what is equal there is decided, nothing is rounded.
 
 mod entries;
+mod line;
 mod numeral;
 mod points;
 mod ring;

@@ -127,10 +127,10 @@ fn check_form(certificate: &ConnectedCertificate) -> Result<usize, Refused> {
     at_most(polygon.len(), CORNERS, "corners")?;
     at_most(near.len(), PAIRS, "pairs")?;
     at_most(links.len(), PAIRS, "links")?;
-    let is_of_doubles = |link: &Link| matches!(link, Link::Between { .. } | Link::Difference { .. });
-    if exact.is_some() && (squares.is_some() || links.iter().any(is_of_doubles)) {
+    let is_difference = |link: &Link| matches!(link, Link::Difference { .. });
+    if exact.is_some() && (squares.is_some() || links.iter().any(is_difference)) {
         return Err(Refused::Form {
-            why: "links of the kinds \"between\" and \"difference\" are not checked of exact numbers",
+            why: "links of the kind \"difference\" are not checked of exact numbers",
         });
     }
     if maps.is_empty() {

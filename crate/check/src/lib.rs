@@ -70,13 +70,47 @@
 //! The crossing is a form of the *trap* of Calegari, Koch and Walker (arXiv 1410.8542). All this is checked by
 //! [`check_connected`], in this order.
 //!
+//! # What a certificate with `exact` numbers proves
+//!
+//! A double stands for each entry of the maps, but [`Exact`] says which number it is meant to be: a sum of powers of
+//! one root of a polynomial p, with fractions before them. All that is proved is proved of the maps `w_i` of these
+//! numbers. Let `v_i` be those of the doubles.
+//!
+//! 1. *There is one such root.* p has different signs at the ends of an interval, so that it has a root between them;
+//!    its derivative, computed for all numbers of the interval at once, is not 0 there, so that it has but one. Where
+//!    an exact number is compared, the interval is first halved 256 times, so that the root stays in it.
+//! 2. *What is drawn is what is proved.* Each exact number is within one unit in the last place of its double. A double
+//!    of 0 stands for 0 alone.
+//! 3. *Strict inequalities hold of all maps within these units.* Each says that `w_u(P)` is less far in a direction n
+//!    than something else. How far it is, is bounded from above: by how far `v_u(P)` is, and for each letter by how far
+//!    `w_i(x)` can be from `v_i(x)`, along what the letters before it make of n. For a word `u = i u'`,
+//!    `w_u - v_u = (w_i - v_i) w_u' + V_i (w_u' - v_u')`, with `V_i` the linear part of `v_i`; and `w_u'(P)` lies in a
+//!    box that holds P and its images under words of fewer than `letters` letters. Where `u'` is longer, its last
+//!    `letters` letters take P into itself and may be left out: that is what was checked first, for which no box of
+//!    longer words was needed. Widths of P itself do not depend on maps.
+//! 4. *Equalities hold in a ring.* With h the highest coefficient of p, its degree d and `y = h x`, entries are
+//!    fractions before powers of y, which is a root of q, with the highest coefficient 1. To put the root in for y is a
+//!    homomorphism from `Q[y] / (q)` to the real numbers: sums, differences and products of equal classes are equal
+//!    numbers. So equations that hold of classes hold of numbers, whether or not p has factors. That classes differ
+//!    says nothing, and nothing is concluded from it: where a number must be positive, or not 0, an interval around it
+//!    says so.
+//!    - A point with two addresses is compared by Cramer's rule, multiplied across. What both are over is not 0, as a
+//!      number: it is `|1 - M|` of a linear part M that contracts, whose eigenvalues are less than 1 in magnitude. The
+//!      product of `1 - l` over both of these is even positive.
+//!    - Areas are added up by their signs. That they reach 1 exactly is that the class of the difference is 0; else its
+//!      sign is that of an interval.
+//!    - On a line, that images stay there is an equality; that one point lies between others is a sign or one.
+//!
+//!    Links by differences of points are not checked of exact numbers.
+//!
 //! # How long it takes
 //!
 //! Lists and words have greatest lengths. Numbers grow with each letter of a word, so that a check counts its work in
 //! multiplications of machine words. It sums what all claims take at the most before it computes anything, and refuses
 //! a certificate that takes more than 20,000,000,000, some twenty seconds. It counts again as the work is done, where
-//! long numbers are multiplied, so that no claim is left out. A tree of sums (Fenwick 1994) counts squares: n of them
-//! take n log n steps, however far each leads.
+//! long numbers are multiplied, so that no claim is left out. Of exact numbers the polynomial has a degree of at most
+//! 16, a fraction 1,000 characters, and all of them 200,000: what it takes to read them is known from how long they
+//! are. A tree of sums (Fenwick 1994) counts squares: n of them take n log n steps, however far each leads.
 //!
 //! ```
 //! use frond_check::{Certificate, Pair, check};

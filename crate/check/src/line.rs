@@ -10,7 +10,11 @@ use crate::work::product;
 
 impl Scene<'_> {
     /// What [`Self::stays_on_line`] takes.
-    pub fn cost_line(&self, [p, q, _]: &[Address; 3]) -> u64 {
+    pub fn cost_line(&self, addresses: &[Address; 3]) -> u64 {
+        if let Some((field, _)) = &self.exact {
+            return field.cost_line(addresses);
+        }
+        let [p, q, _] = addresses;
         let ends = [p, q].map(|address| self.cost_point(address));
         let [(p, near), (q, far)] = ends;
         let images = ends.map(|(_, digits)| {
@@ -25,6 +29,9 @@ impl Scene<'_> {
 
     /// What [`Self::is_between`] takes.
     pub fn cost_between(&self, addresses: &[Address; 3]) -> u64 {
+        if let Some((field, _)) = &self.exact {
+            return field.cost_between(addresses);
+        }
         let [p, q, r] = addresses.each_ref().map(|address| self.cost_point(address));
         let steps = 4 * product(p.1, q.1) + 4 * product(p.1, r.1) + 4 * product(r.1, q.1);
         let ways = 2 * product(p.1 + q.1, p.1 + r.1) + 2 * product(p.1 + q.1, r.1 + q.1);
@@ -35,6 +42,9 @@ impl Scene<'_> {
     /// in every closed set that they take into itself and that is not empty, lies on this line.
     pub fn stays_on_line(&self, addresses: &[Address; 3]) -> Result<bool, Refused> {
         self.work.spend(self.cost_line(addresses))?;
+        if let Some((field, _)) = &self.exact {
+            return Ok(field.stays_on_line(addresses));
+        }
         let [p, q, _] = addresses;
         let [p, q] = [p, q].map(|address| self.point(address));
         let along = p.step_to(&q);
@@ -47,6 +57,9 @@ impl Scene<'_> {
     /// Of three points on a line, whether the third lies between the first two, which differ; or is one of them.
     pub fn is_between(&self, addresses: &[Address; 3]) -> Result<bool, Refused> {
         self.work.spend(self.cost_between(addresses))?;
+        if let Some((field, _)) = &self.exact {
+            return Ok(field.is_between(addresses));
+        }
         let [p, q, r] = addresses.each_ref().map(|address| self.point(address));
         let along = p.step_to(&q);
         let is_forward = |step: [BigInt; 2]| &along[0] * &step[0] + &along[1] * &step[1] >= BigInt::ZERO;

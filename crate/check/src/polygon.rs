@@ -229,6 +229,8 @@ impl<'a> Scene<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::ExactEntry;
+    use crate::whole::unit;
     use crate::work::WORK;
 
     /// Against all corners, for polygons of whole numbers in all directions.
@@ -290,6 +292,71 @@ mod tests {
                     assert!(found.far.bits() <= end && found.bits <= end, "{letters} {normal:?}");
                 }
             }
+        }
+    }
+
+    /// Against maps whose entries are off by units in the last place.
+    #[test]
+    fn what_exact_numbers_reach_is_bounded() {
+        // One letter takes points out of the box around this one, two do not.
+        let slim = [[0.0, 20.0, 1.0 / 60.0, 0.0, 0.35, 0.0], [0.0, -20.0, 1.0 / 60.0, 0.0, -0.35, 0.0]];
+        let wide = [[0.4, -0.3, 0.3, 0.4, 1.1, 0.5], [0.3, 0.2, -0.5, 0.1, -1.0, 0.0]];
+        let square = [[-4.0, -4.0], [4.0, -4.0], [4.0, 4.0], [-4.0, 4.0]];
+        let mut seed = 5_u32;
+        let mut roll = |most: u32| {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (seed >> 8) % most
+        };
+        for (maps, polygon, letters) in [
+            (wide, square, 1),
+            (wide, [[-4.0, -4.0], [4.0, -5.0], [5.0, 4.0], [-5.0, 5.0]], 1),
+            (slim, square.map(|[x, y]| [x / 4.0, y / 400.0]), 2),
+        ] {
+            let work = Work::at_most(WORK);
+            let listed: Vec<[u8; 2]> =
+                (0..12).map(|k| [k / 6, k % 6]).filter(|_| letters > 1 || roll(3) > 0).collect();
+            let entry = |&[map, entry]: &[u8; 2]| ExactEntry { map, entry, value: Vec::new() };
+            let exact = Exact {
+                polynomial: ["0", "1"].map(str::to_owned).to_vec(),
+                root: ["-1", "1"].map(str::to_owned),
+                entries: listed.iter().map(entry).collect(),
+            };
+            let plain = Scene::new(&maps, &polygon, &work).unwrap();
+            let bound =
+                Scene::new(&maps, &polygon, &work).unwrap().with_exact(Some(&exact), &maps, letters).unwrap();
+            plain.check_convex().unwrap();
+            for k in 0..4 {
+                bound.check_inside(&[k % 2, k / 2][..letters]).unwrap();
+            }
+            // Of the bound this part is reached, in hundredths.
+            let mut most = 0;
+            for _ in 0..300 {
+                let mut off = Scene::new(&maps, &polygon, &work).unwrap();
+                let units = Whole::of(&maps.map(|row| row.map(unit))).unwrap();
+                let bits = units.bits.max(off.maps.bits);
+                for (k, row) in off.maps.rows.iter_mut().enumerate() {
+                    for (n, x) in row.iter_mut().enumerate() {
+                        *x <<= bits - plain.maps.bits;
+                        if listed.contains(&[k as u8, n as u8]) {
+                            *x += (&units.rows[k][n] << (bits - units.bits)) * (i64::from(roll(3)) - 1);
+                        }
+                    }
+                }
+                off.maps.bits = bits;
+                let word: Vec<u8> = (0..=roll(6)).map(|_| roll(2) as u8).collect();
+                let normal = [roll(9), roll(9)].map(|n| BigInt::from(n) - 4);
+                let to = |scene: &Scene| scene.farthest(&word, normal.clone(), 0).unwrap();
+                let [center, reached, bound] = [to(&plain), to(&off), to(&bound)];
+                assert!(!bound.is_below(&reached), "{word:?} {normal:?}");
+                let less = center.negative();
+                let (part, all) = (reached.plus(&less), bound.plus(&less));
+                let bits = part.bits.max(all.bits);
+                let [part, all] = [part, all].map(|one| one.far << (bits - one.bits));
+                if all != BigInt::ZERO {
+                    most = most.max(i64::try_from(part * 100 / all).unwrap());
+                }
+            }
+            assert!(most > 60, "{most}");
         }
     }
 }

@@ -99,7 +99,8 @@ pub enum Refused {
     Squares,
     /// The number that others are given by is not shown to be one.
     #[error(
-        "The exact numbers are not given by one root: the polynomial does not change its sign between the ends of the          interval, or its derivative, computed for the whole interval at once, may be 0 there."
+        "The exact numbers are not given by one root: the polynomial does not change its sign between the ends of \
+         the interval, or its derivative, computed for the whole interval at once, may be 0 there."
     )]
     Root,
     /// An exact number is not shown to be the one that its double stands for.

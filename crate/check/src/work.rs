@@ -65,6 +65,7 @@ mod tests {
     use super::*;
     use crate::certificate::{Certificate, Pair};
     use crate::connected::{Address, ConnectedCertificate, Far, Link, Squares};
+    use crate::exact::{Exact, ExactEntry};
     use crate::proof::Proof;
 
     const SQUARE: [[f64; 2]; 4] = [[-4.0, -4.0], [4.0, -4.0], [4.0, 4.0], [-4.0, 4.0]];
@@ -166,9 +167,55 @@ mod tests {
         connected(maps, vec![Link::Between { addresses }; links], None)
     }
 
+    /// The same of exact numbers, by a root of a polynomial of that degree.
+    fn exactly(mut proof: Proof, degree: usize) -> Proof {
+        let (polynomial, root): (&[&str], _) = match degree {
+            1 => (&["0", "1"], ["-1", "1"]),
+            2 => (&["-3", "0", "1"], ["17/10", "9/5"]),
+            _ => (&["-5", "0", "0", "-1", "0", "1"], ["1", "2"]),
+        };
+        let known = [
+            (0.6, "3/5"),
+            (0.05, "1/20"),
+            (0.1, "1/10"),
+            (0.3, "3/10"),
+            (0.5, "1/2"),
+            (0.75, "3/4"),
+            (-0.875, "-7/8"),
+            (0.4, "2/5"),
+            (0.02, "1/50"),
+        ];
+        let (maps, exact) = match &mut proof {
+            Proof::Connected(ConnectedCertificate { maps, exact, .. }) => (maps, exact),
+            Proof::Disconnected(Certificate { maps, exact, .. }) => (maps, exact),
+        };
+        let mut entries = Vec::new();
+        for (k, x) in maps.iter().flatten().enumerate() {
+            if let Some((_, text)) = known.iter().find(|(double, _)| double == x) {
+                let (map, entry) = ((k / 6) as u8, (k % 6) as u8);
+                entries.push(ExactEntry { map, entry, value: vec![(*text).to_owned()] });
+            }
+        }
+        let polynomial = polynomial.iter().map(|&text| text.to_owned()).collect();
+        *exact = Some(Exact { polynomial, root: root.map(str::to_owned), entries });
+        proof
+    }
+
     /// Proofs of every kind of claim.
-    fn proofs() -> [Proof; 12] {
+    fn proofs() -> [Proof; 24] {
         [
+            exactly(apart(2, 1), 1),
+            exactly(apart(40, 7), 5),
+            exactly(points(1, 1), 1),
+            exactly(points(30, 3), 1),
+            exactly(points(12, 3), 2),
+            exactly(points(12, 3), 5),
+            exactly(bars(12), 1),
+            exactly(bars(30), 5),
+            exactly(areas(1), 2),
+            exactly(areas(100), 5),
+            exactly(lines(1, 1), 2),
+            exactly(lines(30, 3), 5),
             apart(2, 1),
             apart(40, 7),
             points(1, 1),
@@ -226,6 +273,8 @@ mod tests {
             (points(1, 500), points(1, 2000), 4),
             (lines(1, 500), lines(1, 2000), 4),
             (points(200, 1), points(400, 1), 8),
+            (exactly(points(1, 500), 5), exactly(points(1, 2000), 5), 4),
+            (exactly(points(100, 1), 5), exactly(points(200, 1), 5), 8),
             (copies(4, 200), copies(4, 400), 8),
         ] {
             let (less, more) = (spent(&less), spent(&more));

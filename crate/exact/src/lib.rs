@@ -3,7 +3,8 @@
 //! Numbers are fractions or elements of number fields ([`Number`], [`Field`]), and so two maps are the same or are not.
 //! A [`System`] is a graph-directed system of affine maps of a line, a plane or space. [`analyze`] finds its neighbour
 //! maps, and from them the open set condition, the Hausdorff dimension between bounds, inner points, and the boundary
-//! of a tile as a system of its own. What it says is proved under the theorem that its [`Reason`] names.
+//! of a tile as a system of its own. What it says is proved under the theorem that its [`Reason`] names. [`meeting`]
+//! finds points that the first pieces share. [`ExactNumbers`] says which numbers the doubles of maps stand for.
 
 mod error;
 mod graph;

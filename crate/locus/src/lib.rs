@@ -46,7 +46,7 @@
 //! 3. `gap/pair_descent`: which pairs of words are looked into. `gap/bracket` brackets the widest gap for `decide`,
 //!    `gap/kruskal` finds out about all pairs for `connectedness`. `gap/greedy` and `gap/difference_set` are quicker
 //!    ways to an answer where there is one.
-//! 4. `exact` and `evidence`: proofs, in arithmetic without rounding.
+//! 4. `exact` and `evidence`: proofs, in arithmetic without rounding; `evidence/meant`, about exact numbers.
 //! 5. `family`, `grid` and `region`: many parameters; `region/derivative_bounds` says how far attractors move.
 //! 6. `path`: `field` is the landscape, `plan` the way through it, `repair` checks it and plans again.
 //! 7. `directed` asks about several shapes at once that are made of copies of each other.

@@ -16,6 +16,19 @@ use serde_json::{Value, json};
 /// Larger ones take Python long.
 const LONGEST_TEXT: usize = 23_000;
 
+/// Proofs about exact numbers, which their own test describes.
+const EXACT: [&str; 9] = [
+    include_str!("../../check/tests/exact/koch.json"),
+    include_str!("../../check/tests/exact/segment.json"),
+    include_str!("../../check/tests/exact/gasket.json"),
+    include_str!("../../check/tests/exact/pentagon.json"),
+    include_str!("../../check/tests/exact/areas.json"),
+    include_str!("../../check/tests/exact/paper.json"),
+    include_str!("../../check/tests/exact/line.json"),
+    include_str!("../../check/tests/exact/cantor.json"),
+    include_str!("../../check/tests/exact/blocks.json"),
+];
+
 /// Whole numbers that look like chance (splitmix64).
 struct Random(u64);
 
@@ -159,9 +172,28 @@ fn mutant(proof: &Value, random: &mut Random) -> Value {
             let name = items.keys().nth(random.below(items.len())).cloned().unwrap_or_default();
             items.remove(&name);
         }
+        Value::String(text) if text.starts_with(|c: char| c == '-' || c.is_ascii_digit()) => {
+            *value = json!(other_fraction(text, random));
+        }
         other => *other = json!(["area", "point", "between"][random.below(3)]),
     }
     changed
+}
+
+/// Another fraction, the same one in other words, one that is almost the same, or none.
+fn other_fraction(text: &str, random: &mut Random) -> String {
+    let (over, under) = text.split_once('/').unwrap_or((text, "1"));
+    let tiny = if random.below(2) == 0 { 1 } else { -1 };
+    let near = over.parse::<i128>().unwrap_or(0) * 10_i128.pow(18) + tiny;
+    match random.below(8) {
+        0 => format!("-{text}"),
+        1 => format!("{text}0"),
+        2 => format!("0{text}"),
+        3 => format!("{over}0/{under}0"),
+        4 => ["0", "1", "-2", "1/3"][random.below(4)].to_owned(),
+        5 => format!("{text} "),
+        _ => format!("{near}/{under}{}", "0".repeat(18)),
+    }
 }
 
 #[test]
@@ -180,8 +212,11 @@ fn a_second_checker_decides_alike() {
         );
     }
     let random = &mut Random(7);
-    let mutants = (0..cases(500)).map(|k| mutant(&proofs[k as usize % proofs.len()], random));
-    let lines = proofs.clone().into_iter().chain(mutants.collect::<Vec<_>>()).filter_map(|proof| {
+    let exact: Vec<Value> = EXACT.iter().map(|text| serde_json::from_str(text).unwrap()).collect();
+    let mut mutants: Vec<Value> =
+        (0..cases(500)).map(|k| mutant(&proofs[k as usize % proofs.len()], random)).collect();
+    mutants.extend((0..cases(500)).map(|k| mutant(&exact[k as usize % exact.len()], random)));
+    let lines = proofs.into_iter().chain(exact).chain(mutants).filter_map(|proof| {
         let text = proof.to_string();
         let says = Proof::from_json(&text).map(|proof| proof.check());
         // How much work is too much is a matter of the one that does it.

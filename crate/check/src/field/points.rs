@@ -7,7 +7,10 @@ use crate::connected::Address;
 use super::entries::Field;
 use super::ring::{Element, is_zero, minus, plus, times};
 
-/// A point of the plane: two elements over a third.
+/// A point of the plane: two elements over a third, which is a positive number.
+///
+/// For an address it is `|1 - M|`, but for powers of the scale, where M is the linear part of a map that contracts: its
+/// eigenvalues are less than 1 in magnitude, so that the product of `1 - l` over both is positive.
 pub(crate) struct Point {
     over: [Element; 2],
     under: Element,
@@ -37,10 +40,7 @@ impl Field {
     /// Elements that are equal are equal numbers. What both points are over is not 0, as a number.
     pub fn coincide(&self, addresses: &[Address; 2]) -> bool {
         let [a, b] = addresses.each_ref().map(|address| self.point(address));
-        (0..2).all(|k| {
-            let [x, y] = [self.ring.product(&a.over[k], &b.under), self.ring.product(&b.over[k], &a.under)];
-            is_zero(&minus(&x, &y))
-        })
+        self.step(&a, &b).iter().all(is_zero)
     }
 
     /// Two products and a third number.
@@ -69,8 +69,27 @@ impl Field {
         (row, scale)
     }
 
-    /// The point of an address, as the one of doubles is found.
-    fn point(&self, address: &Address) -> Point {
+    /// The step from a point to another, but for a positive factor.
+    pub fn step(&self, from: &Point, to: &Point) -> [Element; 2] {
+        [0, 1].map(|k| {
+            minus(&self.ring.product(&to.over[k], &from.under), &self.ring.product(&from.over[k], &to.under))
+        })
+    }
+
+    /// The image of a point under a map.
+    pub fn image(&self, letter: usize, at: &Point) -> Point {
+        let [a, b, c, d, e, f] = &self.rows[letter];
+        let ([x, y], under) = (&at.over, &at.under);
+        let over = [
+            self.sum([a, x], [b, y], &self.ring.product(e, under)),
+            self.sum([c, x], [d, y], &self.ring.product(f, under)),
+        ];
+        Point { over, under: times(under, &self.scale) }
+    }
+
+    /// The point of an address, as the one of doubles is found. Letters are known to be maps, and those that repeat to
+    /// contract.
+    pub fn point(&self, address: &Address) -> Point {
         let none = self.ring.whole(BigInt::ZERO);
         let ([a, b, c, d, e, f], scale) = self.word(&address.repeat);
         let one = self.ring.whole(scale);

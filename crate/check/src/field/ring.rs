@@ -1,4 +1,4 @@
-//! Whole numbers and one number more: `Z[y] / (q)`, where the highest coefficient of `q` is 1, and one real root of `q`.
+//! Whole numbers and one number more: `Z[y] / (q)`, where the highest coefficient of `q` is 1, and a real root of `q`.
 //!
 //! Nothing here asks whether `q` has factors. To put the root in for `y` takes sums to sums and products to products,
 //! so that elements that are equal are equal numbers. Others may be equal numbers as well, if `q` has factors: nothing

@@ -61,7 +61,7 @@ type Key = (usize, usize, Matrix, Vec<Rational>);
 const SAME_SIZE: f64 = 1e-9;
 
 /// Numbers with more binary digits are long: the time for a pair grows with the square of their length.
-const LONG_NUMBER: u64 = 64;
+const LONG_NUMBER: u64 = 96;
 
 struct Inverse {
     linear: Matrix,

@@ -88,6 +88,11 @@ impl Square {
     /// |S^k| bounds the k-th power of the square of the norm, ever better.
     pub fn norm(&self) -> f64 {
         let mut power = self.gram();
+        // No entry of the diagonal is more than the square of the norm: of a similarity the first bound is that.
+        let most = (0..self.dimension).map(|k| power.rows[k][k].lower()).fold(0.0, f64::max);
+        if power.largest_row() <= most * (1.0 + 1e-12) {
+            return self.quick_norm();
+        }
         let (mut scale, mut exponent) = (Interval::ONE, Interval::ONE);
         let mut least = f64::INFINITY;
         for _ in 0..7 {
