@@ -133,7 +133,6 @@ mod common_point;
 mod connected;
 mod cover;
 mod crossing;
-mod deviation;
 mod difference;
 mod exact;
 mod field;

@@ -2,9 +2,8 @@
 
 use num_bigint::BigInt;
 
-use crate::deviation::Deviation;
 use crate::exact::Exact;
-use crate::field::{Field, cost_reading};
+use crate::field::{Deviation, Field, cost_reading};
 use crate::refused::Refused;
 use crate::whole::{Factor, Whole};
 use crate::work::{Work, digits, product};
