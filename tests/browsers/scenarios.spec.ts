@@ -86,7 +86,7 @@ test("the verdict follows, and a proof is checked", async ({ studio, page }) => 
 });
 
 test("all four tools open, and draw", async ({ studio, page }) => {
-  await studio.open("a=koch&b=gasket&path=straight");
+  await studio.open("a=koch&b=gasket&path=straight&space=o:tetrahedron");
   const tool = (name: string) => page.getByRole("link", { name, exact: true }).click();
   const opened = async () => (await studio.scene()).tool ?? "morph";
   await tool("Deform");
@@ -96,7 +96,7 @@ test("all four tools open, and draw", async ({ studio, page }) => {
   expect((await studio.scene()).deform).toBeDefined();
   await tool("Space");
   await expect.poll(opened).toBe("space");
-  await expect.poll(async () => (await studio.look()).lit).toBeGreaterThan(1000);
+  await expect.poll(async () => (await studio.look()).lit, { timeout: 90_000 }).toBeGreaterThan(1000);
   await tool("Fit");
   await expect.poll(opened).toBe("fit");
   await expect.poll(() => words(page, "source")).toContain("Maple leaf");

@@ -45,15 +45,18 @@ export async function openWebKit(program: string): Promise<Opened> {
     },
     stdio: "ignore",
   });
+  const end = () => {
+    driver.kill();
+    // With it goes a browser that has not ended by itself.
+    display.kill();
+  };
+  process.once("exit", end);
   const server = `http://127.0.0.1:${port}`;
   await answers(server, driver);
   return {
     newPage: async () => (await WebKitPage.open(server, program)) as unknown as Page,
     listen: (page) => (page as unknown as WebKitPage).tell(),
-    close: async () => {
-      driver.kill();
-      display.kill();
-    },
+    close: async () => end(),
   };
 }
 
