@@ -136,7 +136,7 @@ async function newTab(browser: Browser, draws: string | null): Promise<Page> {
 }
 
 /** The workers never see what `www/src/compute/locus` asks them at rest, and all else as ever. */
-async function findNoProofs(page: Page): Promise<void> {
+export async function findNoProofs(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const { postMessage } = Worker.prototype;
     Worker.prototype.postMessage = function (this: Worker, ...sent: unknown[]) {

@@ -1,16 +1,6 @@
 import { existsSync } from "node:fs";
-import { fileURLToPath } from "node:url";
 import { defineConfig, devices } from "@playwright/test";
-
-const root = fileURLToPath(new URL("../..", import.meta.url));
-const port = Number(process.env["FROND_PORT"] ?? 4179);
-
-/**
- * The site is built with relative addresses; to prove it, it is tried in a folder below the host's root. FROND_URL is
- * the address of a site that is served already.
- */
-const served = process.env["FROND_URL"];
-const address = served ?? `http://127.0.0.1:${port}/some/folder/`;
+import { address, siteServer } from "./site";
 
 /** `cargo xtask` says where Chromium is; without it, the places where systems put it. */
 const chromium =
@@ -47,15 +37,6 @@ const webgpu = [
 
 function launch(backend: string[]) {
   return { args: [...flags, ...backend], ...(chromium === undefined ? {} : { executablePath: chromium }) };
-}
-
-function server() {
-  return {
-    command: `node node_modules/vite/bin/vite.js preview --base /some/folder/ --host 127.0.0.1 --port ${port} --strictPort`,
-    cwd: root,
-    url: address,
-    reuseExistingServer: false,
-  };
 }
 
 export default defineConfig({
@@ -100,5 +81,5 @@ export default defineConfig({
       },
     },
   ],
-  ...(served === undefined ? { webServer: server() } : {}),
+  ...siteServer,
 });

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::net::TcpListener;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -159,6 +159,13 @@ const CHECKS: &[Check] = &[
         what: "the site, on a small screen",
         set_up: e2e,
         work: Work::Named(|names| play("phone", names)),
+    },
+    Check {
+        group: "e2e",
+        name: "browsers",
+        what: "the site, in Firefox and WebKit",
+        set_up: others,
+        work: Work::Named(browsers),
     },
     Check {
         group: ON_DEMAND,
@@ -323,6 +330,11 @@ fn e2e(steps: &mut Steps) -> Outcome {
     browser::set_up(steps)
 }
 
+fn others(steps: &mut Steps) -> Outcome {
+    site::build(steps)?;
+    browser::set_up_others(steps)
+}
+
 fn fmt() -> Outcome {
     run(&mut cargo("fmt --all --check"))
         .map_err(|problem| format!("{problem}\n`cargo fmt --all` puts it right.").into())
@@ -435,15 +447,37 @@ fn shaders_by(backend: &str, names: &[String], driver: &Path) -> Outcome {
     run_beside(&mut command)
 }
 
-/// One project of tests/e2e/playwright.config.ts. What failed is said once more, at the end of all.
+/// One project of tests/e2e/playwright.config.ts.
 fn play(project: &str, names: &[String]) -> Outcome {
-    let failed = target().join(format!("e2e-{project}-failed.txt"));
+    let programs = [("FROND_CHROMIUM", browser::chromium()?)];
+    playwright("e2e", &[project], names, &programs)
+}
+
+/// A dozen scenarios in the browsers of tests/browsers/browsers.ts other than Chromium. Where the system cannot have
+/// WebKit, it says so.
+fn browsers(names: &[String]) -> Outcome {
+    let mut projects = vec!["firefox"];
+    let mut programs = vec![("FROND_FIREFOX", browser::firefox()?)];
+    match browser::webkit() {
+        Ok(program) => {
+            projects.push("webkit");
+            programs.push(("FROND_WEBKIT", program));
+        }
+        Err(missing) => println!("    without WebKit: {missing}"),
+    }
+    playwright("browsers", &projects, names, &programs)
+}
+
+/// Projects of the playwright.config.ts in a folder of tests. What failed is said once more, at the end of all.
+fn playwright(folder: &str, projects: &[&str], names: &[String], programs: &[(&str, PathBuf)]) -> Outcome {
+    let failed = target().join(format!("{folder}-{}-failed.txt", projects.join("-")));
     // That of another run.
     let _ = fs::remove_file(&failed);
     run(Tool::Playwright
-        .command(&format!("test --config tests/e2e/playwright.config.ts --project={project}"))
+        .command(&format!("test --config tests/{folder}/playwright.config.ts"))
+        .args(projects.iter().map(|project| format!("--project={project}")))
         .args(names)
-        .env("FROND_CHROMIUM", browser::chromium()?)
+        .envs(programs.iter().map(|(name, path)| (name, path)))
         .env("FROND_PORT", free_port()?.to_string())
         .env("FROND_FAILED", &failed))
     .map_err(|problem| format!("{problem}\n{}", fs::read_to_string(&failed).unwrap_or_default()).into())

@@ -4,10 +4,20 @@ import { crew } from "./crew";
 import { performer } from "./performer";
 import type { Tasks } from "./tasks";
 
+/**
+ * WebKit on Linux starts what its codecs stand on with the first question about a media element. An encoder that is
+ * asked before that ends the whole page.
+ */
+function wakeCodecs(): void {
+  globalThis.document?.createElement("video").canPlayType("video/webm");
+}
+
 const workers = {
   module: load,
-  worker: () =>
-    new Worker(new URL("./film.worker.ts", import.meta.url), { type: "module", name: "frond-film" }),
+  worker: () => {
+    wakeCodecs();
+    return new Worker(new URL("./film.worker.ts", import.meta.url), { type: "module", name: "frond-film" });
+  },
   performer,
 };
 
