@@ -44,7 +44,7 @@ impl Field {
     }
 
     /// Two products and a third number.
-    fn sum(&self, [a, b]: [&Element; 2], [c, d]: [&Element; 2], rest: &Element) -> Element {
+    fn combined(&self, [a, b]: [&Element; 2], [c, d]: [&Element; 2], rest: &Element) -> Element {
         plus(&plus(&self.ring.product(a, b), &self.ring.product(c, d)), rest)
     }
 
@@ -57,12 +57,12 @@ impl Field {
             let [p, q, r, s, t, u] = &self.rows[usize::from(letter)];
             let [a, b, c, d, e, f] = &row;
             row = [
-                self.sum([a, p], [b, r], &none),
-                self.sum([a, q], [b, s], &none),
-                self.sum([c, p], [d, r], &none),
-                self.sum([c, q], [d, s], &none),
-                self.sum([a, t], [b, u], &times(e, &self.scale)),
-                self.sum([c, t], [d, u], &times(f, &self.scale)),
+                self.combined([a, p], [b, r], &none),
+                self.combined([a, q], [b, s], &none),
+                self.combined([c, p], [d, r], &none),
+                self.combined([c, q], [d, s], &none),
+                self.combined([a, t], [b, u], &times(e, &self.scale)),
+                self.combined([c, t], [d, u], &times(f, &self.scale)),
             ];
             scale *= &self.scale;
         }
@@ -81,8 +81,8 @@ impl Field {
         let [a, b, c, d, e, f] = &self.rows[letter];
         let ([x, y], under) = (&at.over, &at.under);
         let over = [
-            self.sum([a, x], [b, y], &self.ring.product(e, under)),
-            self.sum([c, x], [d, y], &self.ring.product(f, under)),
+            self.combined([a, x], [b, y], &self.ring.product(e, under)),
+            self.combined([c, x], [d, y], &self.ring.product(f, under)),
         ];
         Point { over, under: times(under, &self.scale) }
     }
@@ -94,12 +94,12 @@ impl Field {
         let ([a, b, c, d, e, f], scale) = self.word(&address.repeat);
         let one = self.ring.whole(scale);
         let (a, d) = (minus(&one, &a), minus(&one, &d));
-        let [x, y] = [self.sum([&d, &e], [&b, &f], &none), self.sum([&c, &e], [&a, &f], &none)];
+        let [x, y] = [self.combined([&d, &e], [&b, &f], &none), self.combined([&c, &e], [&a, &f], &none)];
         let under = minus(&self.ring.product(&a, &d), &self.ring.product(&b, &c));
         let ([a, b, c, d, e, f], scale) = self.word(&address.head);
         let over = [
-            self.sum([&a, &x], [&b, &y], &self.ring.product(&e, &under)),
-            self.sum([&c, &x], [&d, &y], &self.ring.product(&f, &under)),
+            self.combined([&a, &x], [&b, &y], &self.ring.product(&e, &under)),
+            self.combined([&c, &x], [&d, &y], &self.ring.product(&f, &under)),
         ];
         Point { over, under: times(&under, &scale) }
     }
