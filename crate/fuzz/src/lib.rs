@@ -5,8 +5,8 @@
 //! [`Reader::try_on`] tries it on one document.
 //!
 //! `tests/fuzz/<reader>` has documents of each reader: some that are right, and each that once broke it. Every run of
-//! the tests tries all of them, and some [`Draft`]s, documents with a few changes. `cargo xtask test deep` has libFuzzer
-//! make more of both, for a minute each, led by which code they reach.
+//! the tests tries all of them, and some [`Draft`]s, documents with a few changes. `cargo xtask test deep` has
+//! libFuzzer make more of both, for a minute each, led by which code they reach.
 //!
 //! # In which order to read it
 //!

@@ -1,7 +1,13 @@
 //! All readers.
 
+mod links;
+mod maps;
+mod outlines;
 mod png;
 
+pub use links::{CURVE, LINK, SPACE, SPLINE};
+pub use maps::{AIFS, FLAME, FRACTINT, JSON, TABLE};
+pub use outlines::{CSV, GEOJSON, SVG, TPS};
 pub use png::PNG;
 
 /// Hands the names of all readers to a macro, which makes a test of each.
@@ -9,7 +15,20 @@ pub use png::PNG;
 macro_rules! all_readers {
     ($tests:ident) => {
         $tests! {
-            png: PNG
+            aifs: AIFS,
+            csv: CSV,
+            curve: CURVE,
+            flame: FLAME,
+            fractint: FRACTINT,
+            geojson: GEOJSON,
+            json: JSON,
+            link: LINK,
+            png: PNG,
+            space: SPACE,
+            spline: SPLINE,
+            svg: SVG,
+            table: TABLE,
+            tps: TPS
         }
     };
 }

@@ -13,7 +13,7 @@ fn replay(reader: &frond_fuzz::Reader) {
         reader.try_on(document);
     }
     let cases = ProptestConfig::with_cases(frond_testing::cases(200));
-    let config = ProptestConfig { failure_persistence: None, ..cases };
+    let config = ProptestConfig { failure_persistence: None, max_shrink_iters: 60, ..cases };
     let bytes = proptest::collection::vec(any::<u8>(), 0..400);
     let outcome = TestRunner::new(config).run(&bytes, |bytes| {
         let Some(draft) = frond_fuzz::Draft::of_bytes(&bytes) else { return Ok(()) };
