@@ -9,9 +9,9 @@
 //! What has its default is left out. A shape that is not of the gallery is written
 //! `a=maps:0.5,0,0,0.5,0,0;..`, its numbers with as many digits as bring back the same bits, and its name
 //! as `a-name`; how often the chaos game takes each map, where that is said, as `a-weights=1,2,0.5`; numbers that its
-//! maps mean exactly as `a-exact=1/3,sqrt(3)/6`. Keys that are not known are passed over, so that a link of a later version still shows what this one
-//! understands. Turns count from the counter-clockwise half turn where a map turns by half a turn (`link/turns.rs` says
-//! why). Old links open for ever: `tests/links.txt` is the collection that proves it.
+//! maps mean exactly as `a-exact=1/3,sqrt(3)/6`. Keys that are not known are passed over, so that a link of a later
+//! version still shows what this one understands. Turns count from the counter-clockwise half turn where a map turns by
+//! half a turn (`link/turns.rs` says why). Old links open for ever: `tests/links.txt` is the collection that proves it.
 
 use std::fmt::Write as _;
 

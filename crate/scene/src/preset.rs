@@ -208,8 +208,8 @@ fn vicsek() -> Vec<Row> {
     board(&[[1, 1], [0, 0], [2, 0], [2, 2], [0, 2]])
 }
 
-// What is not a fraction of few digits below is the double nearest to the number that is meant: what Frond proves of the
-// gallery, it proves of these numbers.
+// What is not a fraction of few digits below is the double nearest to the number that is meant: what Frond proves of
+// the gallery, it proves of these numbers.
 
 fn pentagon() -> Vec<Row> {
     // 1 / golden ratio^2, and the corners of a regular pentagon over the golden ratio, one on top.

@@ -121,7 +121,7 @@ export interface ConnectedCertificate {
   exact?: ExactEntries;
 }
 
-/** Entries of maps that are exactly numbers of one field, powers of a root of a polynomial with fractions before them. */
+/** Entries of maps that are numbers of one field: powers of a root of a polynomial with fractions before them. */
 export interface ExactEntries {
   /** Whole numbers as texts, the constant term first; `["0", "1"]` for fractions. */
   polynomial: string[];
@@ -397,8 +397,8 @@ export interface Shape {
   /** How often the chaos game takes each map, as shares, whatever their sum. Absent: in proportion to its area. */
   weights?: number[];
   /**
-   * Formulas of numbers, such as "1/3", "sqrt(3)/6" or "2**(1/3)", in lower case, 64 at most. Where an entry of a map is the double
-   * nearest to one of them or to its negative, that number is meant, and not the double.
+   * Formulas of numbers, such as "1/3", "sqrt(3)/6" or "2**(1/3)", in lower case, 64 at most. Where an entry of a map
+   * is the double nearest to one of them or to its negative, that number is meant, and not the double.
    */
   exact?: string[];
 }

@@ -9,8 +9,8 @@
 //!
 //! 1. `boundary`: how values cross. `value` reads and writes maps and options, `error` is what is thrown.
 //! 2. `compute`: what describes and draws. `shape` shows best how a function is exported.
-//! 3. `bend`, `proof`, `exact`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`, `text_file` (of `text` and `svg`): a
-//!    folder or a file for each of the other modules, a file for what belongs together.
+//! 3. `bend`, `proof`, `exact`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`, `text_file` (of `text` and
+//!    `svg`): a folder or a file for each of the other modules, a file for what belongs together.
 //! 4. `renderers`: the stages of `frond-render` on a canvas, for WebGPU and for WebGL2.
 //!
 //! Each of these but `boundary` is a feature of the crate; `text_file` is two (`text`, `svg`), and so are `renderers`

@@ -13,6 +13,7 @@ mod browser;
 mod circles;
 mod command;
 mod folders;
+mod fuzz;
 mod imports;
 mod modules;
 mod node;

@@ -1,11 +1,11 @@
 //! The modules that crate/web is built into, and the files of each.
 
-/// The name of the files and the features that make them. The first describes, draws and bends: the package has it.
-/// The page has these two apart: what describes and draws, all that the first picture needs, and what bends, where
-/// something is bent. Then there are closed curves and graphs, where the page shows some; what decides and proves,
-/// in the workers; what proves of exact numbers, where a shape has some; what traces and fits outlines, in workers of its own, and there what reads drawings, tables
-/// and JSON, when one is opened; space, where its tool is open; what reads and
-/// writes files of other programs, when one is opened or saved; shapes of several states, where some are shown; and
+/// The name of the files and the features that make them. The first describes, draws and bends: the package has it. The
+/// page has these two apart: what describes and draws, all that the first picture needs, and what bends, where
+/// something is bent. Then there are closed curves and graphs, where the page shows some; what decides and proves, in
+/// the workers; what proves of exact numbers, where a shape has some; what traces and fits outlines, in workers of its
+/// own, and there what reads drawings, tables and JSON, when one is opened; space, where its tool is open; what reads
+/// and writes files of other programs, when one is opened or saved; shapes of several states, where some are shown; and
 /// what draws a morph on other people's pages. Of the others, which draw on a graphics card, a visitor gets one.
 pub const MODULES: [(&str, &str); 15] = [
     ("frond", "compute,bend"),

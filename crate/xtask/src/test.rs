@@ -11,6 +11,7 @@ use crate::browser;
 use crate::circles;
 use crate::command::{Outcome, Run, cargo, cargo_wasm, command, run, run_behind, run_beside, target};
 use crate::folders;
+use crate::fuzz;
 use crate::modules::MODULES;
 use crate::node::{self, Tool};
 use crate::python;
@@ -173,6 +174,13 @@ const CHECKS: &[Check] = &[
         what: "tests of the crates with many more examples; only when named",
         set_up: nothing,
         work: Work::All(deep),
+    },
+    Check {
+        group: ON_DEMAND,
+        name: "fuzz",
+        what: "what reads files, links and proofs, on documents that libFuzzer makes; only when named",
+        set_up: tools::bolero,
+        work: Work::Named(fuzz::all),
     },
     Check {
         group: ON_DEMAND,

@@ -43,7 +43,15 @@ pub fn components(steps: &mut Steps) -> Outcome {
 pub fn wasm_bindgen(steps: &mut Steps) -> Outcome {
     let lock = std::fs::read_to_string(root().join("Cargo.lock"))?;
     let version = locked(&lock, "wasm-bindgen").ok_or("Cargo.lock holds no wasm-bindgen")?;
-    install(steps, "wasm-bindgen", "wasm-bindgen-cli", version)
+    install(steps, "wasm-bindgen", "wasm-bindgen-cli", version, "")
+}
+
+/// The version of cargo-bolero, which speaks to the bolero of Cargo.lock.
+const BOLERO: &str = "0.13.5";
+
+/// Sees to it that cargo-bolero is there, which compiles the crates so that libFuzzer sees which code is reached.
+pub fn bolero(steps: &mut Steps) -> Outcome {
+    install(steps, "cargo-bolero", "cargo-bolero", BOLERO, "--features libfuzzer")
 }
 
 /// A pinned program.
@@ -56,14 +64,14 @@ pub fn path(name: &str) -> PathBuf {
     tools().join("bin").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
 }
 
-fn install(steps: &mut Steps, program: &str, package: &str, version: &str) -> Outcome {
+fn install(steps: &mut Steps, program: &str, package: &str, version: &str, features: &str) -> Outcome {
     let has = ask(tool(program).arg("--version")).is_some_and(|text| text.ends_with(&format!(" {version}")));
     if has {
         return Ok(());
     }
     steps.run(&format!("install {package} {version} into {} (once, some minutes)", tools().display()), || {
         // It speaks to drivers on this machine alone, without encryption, which would be a third of what is compiled.
-        let line = format!("install {package} --version ={version} --force --no-default-features");
+        let line = format!("install {package} --version ={version} --force --no-default-features {features}");
         let build = |locked: &[&str]| {
             let mut command = cargo(&line);
             // Nothing of this workspace's settings is for other people's programs.

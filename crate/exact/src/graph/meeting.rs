@@ -1,8 +1,8 @@
 //! Which pieces of an iterated function system meet, with a point of both.
 //!
-//! An endless walk through the graph of neighbour maps spells the addresses of a common point of two pieces. A walk that
-//! comes back to a pair goes round without end, and then both addresses repeat: with h at that pair, where p and q are
-//! the words of the way round, `h f_q = f_p h`, so that h takes the fixed point of `f_q` to that of `f_p`.
+//! An endless walk through the graph of neighbour maps spells the addresses of a common point of two pieces. A walk
+//! that comes back to a pair goes round without end, and then both addresses repeat: with h at that pair, where p and q
+//! are the words of the way round, `h f_q = f_p h`, so that h takes the fixed point of `f_q` to that of `f_p`.
 
 use std::collections::VecDeque;
 

@@ -69,7 +69,8 @@ struct Inverse {
 }
 
 impl Graph {
-    /// All pairs, up to a number of them, where those with long numbers count more. The hook is told how many there are, and ends the search by `false`.
+    /// All pairs, up to a number of them, where those with long numbers count more. The hook is told how many there
+    /// are, and ends the search by `false`.
     pub fn new(
         system: &System,
         frame: &Frame,

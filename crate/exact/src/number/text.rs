@@ -20,8 +20,8 @@ const LONGEST: usize = 60;
 const LARGEST_UNDER_ROOT: u64 = 1_000_000_000_000;
 
 impl Number {
-    /// The shortest usual form of a fraction, or of a number `(a + b√d)/c`, which [`Number::parse`] reads. `None` for all
-    /// others, and for very long ones.
+    /// The shortest usual form of a fraction, or of a number `(a + b√d)/c`, which [`Number::parse`] reads. `None` for
+    /// all others, and for very long ones.
     #[must_use]
     pub fn text(&self) -> Option<String> {
         let text = match self.as_rational() {

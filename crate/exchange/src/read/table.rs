@@ -158,13 +158,12 @@ fn words(line: &str, decimal_commas: bool) -> Vec<String> {
     };
     let words = line.split(parts).map(|word| {
         let mut word = word.trim_matches(|c: char| matches!(c, '"' | '\'' | '\u{200b}' | '\u{feff}'));
-        let count = |word: &str, sign: char| word.matches(sign).count();
-        while count(word, '(') > count(word, ')') && word.starts_with('(') {
-            word = &word[1..];
-        }
-        while count(word, ')') > count(word, '(') && word.ends_with(')') {
-            word = &word[..word.len() - 1];
-        }
+        let [open, closed] = ['(', ')'].map(|sign| word.matches(sign).count());
+        // Brackets that nothing closes are off its beginning, those that nothing opens off its end.
+        let first = word.bytes().take_while(|&byte| byte == b'(').count().min(open.saturating_sub(closed));
+        let last =
+            word.bytes().rev().take_while(|&byte| byte == b')').count().min(closed.saturating_sub(open));
+        word = &word[first..word.len() - last];
         if decimal_commas { decimal_word(word) } else { word.to_owned() }
     });
     words.filter(|word| !word.chars().all(|c| is_minus(c) || matches!(c, '=' | '+' | ':'))).collect()

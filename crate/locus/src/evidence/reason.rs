@@ -329,7 +329,8 @@ impl<'a> Points<'a> {
         QuadraticSystem::as_given(self.maps).map_or(Vec::new(), all)
     }
 
-    /// Enough of those that are one point, as is decided, to join all that such points join, besides some that are known.
+    /// Enough of those that are one point, as is decided, to join all that such points join, besides some that are
+    /// known.
     pub fn shared(&self, known: &[Shared], coincide: impl Fn(&Address, &Address) -> bool) -> Vec<Shared> {
         self.shared_beside(known, coincide).0
     }

@@ -1,0 +1,23 @@
+LM=4
+0 0
+4 0
+4 3
+0 3
+CURVES=1
+POINTS=5
+0 0
+2 1
+4 0
+4 3
+1 5
+IMAGE=a.jpg
+ID=1
+SCALE=0.5
+LM=0
+OUTLINES=1
+POINTS=4
+1 1
+5 1
+5 4
+1 4
+ID=2
