@@ -17,7 +17,7 @@ export function matching(name: string | RegExp, exact = false): Match {
   return typeof name === "string" ? { text: name, exact } : { text: name.source, flags: name.flags };
 }
 
-/** The visible elements at the end of one of the ways. It runs in the page, as a text: it names nothing outside. */
+/** The visible elements at the end of one of the ways. It runs in the page as its text, and names nothing outside. */
 export function find(ways: Step[][]): Element[] {
   const tags: Record<string, string> = {
     button: "button, summary",

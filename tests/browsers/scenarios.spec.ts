@@ -99,7 +99,7 @@ test("all four tools open, and draw", async ({ studio, page }) => {
   await expect.poll(async () => (await studio.look()).lit, { timeout: 90_000 }).toBeGreaterThan(1000);
   await tool("Fit");
   await expect.poll(opened).toBe("fit");
-  await expect.poll(() => words(page, "source")).toContain("Maple leaf");
+  await expect.poll(() => words(page, "source"), { timeout: 90_000 }).toContain("Maple leaf");
   await tool("Morph");
   await expect.poll(opened).toBe("morph");
   expect((await studio.look()).lit).toBeGreaterThan(1000);

@@ -37,10 +37,10 @@ const WEBKIT: &[&str] = &[
 /// What drives it, and the display that it needs.
 const WEBKIT_NEEDS: &[&str] = &["WebKitWebDriver", "Xvfb"];
 
-const INSTALL_CHROMIUM: &str = "Install Chromium and its driver (Debian: apt-get install chromium chromium-driver; Fedora: \
-     dnf install chromium chromedriver; macOS: brew install --cask chromium chromedriver)";
-const INSTALL_FIREFOX: &str = "Install Firefox (Debian: apt-get install firefox-esr; Fedora: dnf install firefox; macOS: brew \
-     install --cask firefox)";
+const INSTALL_CHROMIUM: &str = "Install Chromium and its driver (Debian: apt-get install chromium chromium-driver; \
+     Fedora: dnf install chromium chromedriver; macOS: brew install --cask chromium chromedriver)";
+const INSTALL_FIREFOX: &str = "Install Firefox (Debian: apt-get install firefox-esr; Fedora: dnf install firefox; macOS: \
+     brew install --cask firefox)";
 const INSTALL_WEBKIT: &str = "Install WebKitGTK (Debian: apt-get install webkit2gtk-driver xvfb)";
 
 /// The browser of the end-to-end tests: FROND_CHROMIUM, or what the system has.
