@@ -317,6 +317,25 @@ with zipfile.ZipFile("read.zip") as file:
     expect(given(several.stdout, "check", "-").stdout).toMatch(/apart: checked in exact arithmetic/);
   });
 
+  it("analyzes shapes exactly", () => {
+    const koch = frond("analyze", "a=koch&b=gasket&t=0");
+    expect(koch.status).toBe(0);
+    expect(koch.stdout.split("\n").slice(0, 4)).toEqual([
+      "Open set condition: yes, proved.",
+      "Neighbours: 4.",
+      expect.stringMatching(/^Dimension: log 4 \/ log 3 = 1\.2618595071429\d*, proved\.$/),
+      "Inner points: none, proved.",
+    ]);
+    writeFileSync(join(app, "dust.json"), DUST);
+    const dust = frond("analyze", "dust.json", "--json", "--numbers", "3/10, 7/10");
+    expect(JSON.parse(dust.stdout)).toMatchObject({ openSetCondition: "yes", numbers: ["3/10", "7/10"] });
+    expect(frond("analyze", "dust.json", "--numbers", "1/3,")).toMatchObject({
+      status: 2,
+      stderr: expect.stringMatching(/--numbers is a list of formulas/),
+    });
+    expect(frond("analyze", "dust.json", "--numbers", "1/0").stderr).toMatch(/"1\/0" is no exact number/);
+  });
+
   it("traces pictures and fits curves to outlines", () => {
     // A square of 40 pixels in one of 100.
     const mask = greyPng(100, 100, (x, y) => (x >= 30 && x < 70 && y >= 30 && y < 70 ? 0 : 255));

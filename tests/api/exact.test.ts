@@ -1,86 +1,83 @@
+/** Exact numbers, as others call them: formulas, proofs about what they mean, and what neighbours tell. */
 import { readFile } from "node:fs/promises";
-import { beforeAll, describe, expect, it } from "vitest";
-import "../../www/src/document/exact/gallery";
-import init, * as exact from "../../www/pkg/frond-exact.js";
-import * as frond from "../../www/pkg/index.js";
-import { exactOf } from "../../www/src/geometry/maps/exact";
-import { load, refused } from "./frond";
+import { beforeAll, expect, it } from "vitest";
+import init, { analyze, proveExact, readNumbers } from "../../www/pkg/frond-exact.js";
+import { checkCertificate, type Ifs } from "../../www/pkg/index.js";
+import { load, refused, wrong } from "./frond";
 
-const third = 1 / 3;
-/** A segment of three thirds. */
-const thirds = {
-  maps: [0, third, 2 / 3].map(
-    (x) => [third, 0, 0, third, x, 0] as [number, number, number, number, number, number],
-  ),
-};
-/** What the first picture draws: entries with few decimals mean these, and no formula. */
-const isDecimal = (x: number) => Number(x.toFixed(4)) === x;
+beforeAll(async () => {
+  await load();
+  await init({ module_or_path: readFile(new URL("../../www/pkg/frond-exact_bg.wasm", import.meta.url)) });
+});
 
-describe("exact numbers", () => {
-  beforeAll(async () => {
-    const file = new URL("../../www/pkg/frond-exact_bg.wasm", import.meta.url);
-    await Promise.all([load(), init({ module_or_path: readFile(file) })]);
+const thirds = (...shifts: number[]): Ifs => ({
+  maps: shifts.map((e) => [1 / 3, 0, 0, 1 / 3, e, 0]),
+});
+
+it("reads formulas one by one", () => {
+  expect(readNumbers(["2/6", "-cos(30°)", "phi", "cos 40°", "1/0", "i", "1 +"])).toEqual([
+    { value: 1 / 3, text: "1/3" },
+    { value: -Math.sqrt(3) / 2, text: "-√3/2" },
+    { value: (1 + Math.sqrt(5)) / 2, text: "(1+√5)/2" },
+    { value: expect.closeTo(Math.cos((40 * Math.PI) / 180), 15), text: "cos 40°" },
+    { problem: expect.stringMatching(/division by zero/) },
+    { problem: expect.stringMatching(/not real/) },
+    { problem: expect.stringMatching(/not a formula/) },
+  ]);
+  expect(refused(() => readNumbers(Array(65).fill("1/2")))).toBe("bad-input");
+  expect(refused(() => readNumbers(wrong([1])))).toBe("bad-input");
+});
+
+it("proves what is typed, and another program agrees", () => {
+  const segment = proveExact(thirds(0, 1 / 3, 2 / 3), ["1/3", "2/3"]);
+  const dust = proveExact(thirds(0, 2 / 3), ["1/3", "2/3"]);
+  expect([segment.state, dust.state]).toEqual(["connected", "disconnected"]);
+  for (const proof of [segment, dust]) {
+    if (proof.state === "undecided") throw new Error(proof.why);
+    const { certificate } = proof;
+    expect(checkCertificate(certificate)).toMatchObject({ valid: true });
+    // The same about the doubles is no proof, where points have to be shared.
+    const { exact: _, ...doubles } = certificate;
+    expect(checkCertificate(doubles).valid).toBe(proof === dust);
+  }
+  // The thirds of doubles are none.
+  expect(proveExact(thirds(0, 1 / 3, 2 / 3), []).state).not.toBe("connected");
+  expect(proveExact({ maps: [[2, 0, 0, 2, 0, 0]] }, []).state).toBe("undecided");
+  expect(refused(() => proveExact(thirds(0), ["1/3", "0.3333333333333333"]))).toBe("exact-same-double");
+});
+
+it("tells dimension, open sets and overlaps", () => {
+  const cross: Ifs = {
+    maps: [
+      [0, 0],
+      [2 / 3, 0],
+      [1 / 3, 1 / 3],
+      [0, 2 / 3],
+      [2 / 3, 2 / 3],
+    ].map(([e = 0, f = 0]) => [1 / 3, 0, 0, 1 / 3, e, f]),
+  };
+  const vicsek = analyze(cross, ["1/3", "2/3"]);
+  expect(vicsek).toMatchObject({
+    openSetCondition: "yes",
+    neighbours: 4,
+    innerPoints: false,
+    boundary: null,
   });
-
-  it("are read from formulas: the nearest double and a short text, or why not", () => {
-    expect(exact.readNumbers(["1/3", "cos(60deg)/3", "2**(1/2)", "-sqrt(12)/4"])).toEqual([
-      { value: third, text: "1/3" },
-      { value: 1 / 6, text: "1/6" },
-      { value: Math.SQRT2, text: "√2" },
-      { value: -0.8660254037844386, text: "-√3/2" },
-    ]);
-    for (const wrong of ["1/0", "pi", "i", "1..2", "", "((", "9".repeat(201), "1e999"])
-      expect(exact.readNumbers([wrong])).toEqual([{ problem: expect.stringMatching(/\w/) }]);
-    expect(refused(() => exact.readNumbers(Array(65).fill("1")))).toBe("bad-input");
+  expect(vicsek.dimension).toMatchObject({
+    value: expect.closeTo(Math.log(5) / Math.log(3), 12),
+    proved: true,
+    exact: "log 5 / log 3",
   });
-
-  it("are those of the gallery: every entry is a formula's double, or a short decimal", () => {
-    for (const preset of frond.presets()) {
-      const formulas = exactOf({ ...preset, preset: preset.id });
-      const values = exact
-        .readNumbers([...formulas])
-        .map((one) => ("value" in one ? Math.abs(one.value) : one));
-      const entries = preset.maps.flat().map(Math.abs);
-      expect(new Set(entries.filter((x) => !isDecimal(x))), preset.id).toEqual(new Set(values));
-    }
-  });
-
-  it("are what is proved, and not what the doubles are", () => {
-    const numbers = ["1/3", "2/3"];
-    const proof = exact.proveExact(thirds, numbers);
-    expect(proof.state).toBe("connected");
-    if (proof.state !== "connected") return;
-    expect(proof.certificate.exact?.entries.length).toBe(8);
-    expect(frond.checkCertificate(proof.certificate).valid).toBe(true);
-    const { exact: _, ...doubles } = proof.certificate;
-    expect(frond.checkCertificate(doubles).valid).toBe(false);
-    expect(exact.proveExact(thirds, []).state).not.toBe("connected");
-    const [first, , last] = thirds.maps;
-    const cantor = { maps: first && last ? [first, last] : [] };
-    expect(exact.proveExact(cantor, numbers).state).toBe("disconnected");
-  });
-
-  it("tell the dimension of Koch's curve, and the boundary of the dragon", () => {
-    const shape = (id: string) => {
-      const preset = frond.presets().find((one) => one.id === id);
-      if (!preset) throw new Error(id);
-      return exact.analyze(preset, [...exactOf({ ...preset, preset: id })]);
-    };
-    expect(shape("koch")).toMatchObject({
-      openSetCondition: "yes",
-      dimension: { exact: "log 4 / log 3", proved: true },
-      innerPoints: false,
-      boundary: null,
-    });
-    const { boundary, innerPoints } = shape("dragon");
-    expect(innerPoints).toBe(true);
-    // Twice the logarithm of the largest root of x³ − x² − 2 in base 2 (Chang and Zhang 2000).
-    expect(boundary?.dimension.value).toBeCloseTo(1.523627086202492, 12);
-  });
-
-  it("refuse what is no list, no number or too much", () => {
-    expect(refused(() => exact.analyze(thirds, ["1/3", "oops"]))).toBe("exact-not-formula");
-    expect(refused(() => exact.analyze(thirds, [], { budget: 0 }))).toBe("bad-input");
-    expect(refused(() => exact.analyze({ maps: [[0, 0, 0, 0, 0, 0]] }, []))).toBe("exact-singular");
-  });
+  // 0/3 + 3/9 = 1/3: words of two letters give one piece.
+  const overlapping = analyze(thirds(0, 1, 3), ["1/3"]);
+  expect(overlapping.openSetCondition).toBe("no");
+  const words = overlapping.reasons.find(({ kind }) => kind === "exact-overlap")?.words ?? [];
+  expect([...words].sort()).toEqual([
+    [0, 2],
+    [1, 0],
+  ]);
+  const doubles = analyze(thirds(0, 1 / 3, 2 / 3), [], { budget: 50 });
+  expect([doubles.openSetCondition, doubles.neighbours]).toEqual(["undecided", null]);
+  expect(refused(() => analyze(cross, [], { budget: 0 }))).toBe("bad-input");
+  expect(refused(() => analyze(cross, ["√"]))).toBe("exact-not-formula");
 });

@@ -1,5 +1,6 @@
 //! Which pieces meet, and what follows from it.
 
+pub(crate) mod affinity;
 pub(crate) mod analysis;
 pub(crate) mod closed_form;
 pub(crate) mod growth;

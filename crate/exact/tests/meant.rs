@@ -101,3 +101,33 @@ fn the_root_is_isolated_by_few_digits() {
     assert_eq!(within("√3/6", 3f64.sqrt() / 6.0), [1.732_050, 1.732_051]);
     assert_eq!(within("1/3", THIRD), [-1.0, 1.0]);
 }
+
+#[test]
+fn carpets_of_rectangles_have_a_bound_of_their_dimension() {
+    // Rectangles of 1/4 by 1/2: for s from 1 to 2 the singular values add up to n (1/2) (1/4)^(s - 1), which is one for
+    // n = 3 at s = 1 + log(3/2) / log 4 (Falconer 1988).
+    let rows = [[0.0, 0.0], [0.25, 0.5], [0.75, 0.0]].map(|[e, f]| [0.25, 0.0, 0.0, 0.5, e, f]);
+    let of = |rows: &[[f64; 6]]| {
+        let system = ExactNumbers::default().system(rows).unwrap();
+        analyze(&system, Settings::default(), |_| true).unwrap()
+    };
+    let found = of(&rows);
+    let dimension = found.dimension.unwrap();
+    let known = 1.0 + 1.5f64.ln() / 4f64.ln();
+    assert!(known <= dimension.upper && dimension.upper < known + 1e-8, "{known} {dimension:?}");
+    assert_eq!((dimension.is_proved, dimension.lower, dimension.value), (false, 0.0, dimension.upper));
+    assert_eq!(found.has_inner_points, Some(false));
+    // Two of them: 2 (1/2)^s = 1 at s = 1.
+    let upper = of(&rows[..2]).dimension.unwrap().upper;
+    assert!((1.0..1.0 + 1e-8).contains(&upper), "{upper}");
+    // Eight fill a square: there is no bound below that of the plane.
+    let eight: Vec<[f64; 6]> =
+        (0..8).map(|k| [0.25, 0.0, 0.0, 0.5, f64::from(k % 4) / 4.0, f64::from(k / 4) / 2.0]).collect();
+    let full = of(&eight);
+    assert_eq!((full.dimension.unwrap().upper, full.has_inner_points), (2.0, None));
+    // A word may be much smaller than its letters: each stretches one axis that the other shrinks.
+    let turned = [[0.0, -0.25, 0.75, 0.0, 0.0, 0.0], [0.0, -0.25, 0.75, 0.0, 1.0, 0.0]];
+    let upper = of(&turned).dimension.unwrap().upper;
+    // Of two letters the linear part is that of a turn by a half and -3/16: 4 (3/16)^(s/2 * 2) = 1 at log 4 / log(16/3).
+    assert!((upper - 4f64.ln() / (16.0f64 / 3.0).ln()).abs() < 1e-8, "{upper}");
+}

@@ -1,6 +1,7 @@
 //! What the graph of neighbour maps tells about a system.
 
 use crate::error::ExactError;
+use crate::graph::affinity;
 use crate::graph::closed_form::closed_form;
 use crate::graph::growth::{Weighted, components, exponent};
 use crate::graph::neighbours::{Graph, Overlap};
@@ -101,7 +102,7 @@ pub struct Analysis {
     pub open_set_condition: OpenSetCondition,
     /// How many neighbour maps there are; `None` where not all were found.
     pub neighbours: Option<usize>,
-    /// The dimension; `None` where a map is no similarity.
+    /// The dimension; of maps that are no similarities a bound from above, in the plane and of one state, else `None`.
     pub dimension: Option<Dimension>,
     /// Whether there are inner points; `None` where that is not decided.
     pub has_inner_points: Option<bool>,
@@ -148,6 +149,12 @@ pub fn analyze(
     };
     let Some(steps) = weighted(system) else {
         reasons.push(Reason::NotSimilar);
+        let space = system.dimension();
+        analysis.dimension = affinity::bound(system).map(|upper| of_bounds((0.0, upper), space, false));
+        if let Some(dimension) = &mut analysis.dimension {
+            dimension.value = dimension.upper;
+            analysis.has_inner_points = (dimension.upper < space as f64).then_some(false);
+        }
         analysis.reasons = reasons;
         return Ok(analysis);
     };
