@@ -96,7 +96,7 @@ fn the_curve_of_koch_is_in_one_piece_as_it_is_typed() {
     let wanted: Vec<_> =
         words.iter().enumerate().map(|(k, words)| (LinkKind::Point, (k, k + 1), words)).collect();
     assert_eq!(links, wanted);
-    assert!(reason.links[1].at.distance(frond_locus::glam::DVec2::new(0.5, 3f64.sqrt() / 6.0)) < 1e-15);
+    assert!(reason.links[1].at.distance(glam::DVec2::new(0.5, 3f64.sqrt() / 6.0)) < 1e-15);
     // A third as a double is not a third.
     assert!(!matches!(koch.as_doubles(), ExactProof::Connected { .. }));
 }
