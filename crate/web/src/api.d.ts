@@ -158,7 +158,7 @@ export interface Analysis {
   openSetCondition: "yes" | "no" | "undecided";
   /** In how many ways pieces of like size lie to each other where they meet; null where not all were found. */
   neighbours: number | null;
-  /** Null where a map is no similarity. */
+  /** An upper bound where a map is no similarity. Null where nothing is known. */
   dimension: Dimension | null;
   /** Null where there are no inner points, or pieces coincide. */
   boundary: { dimension: Dimension } | null;
