@@ -128,6 +128,7 @@ fn carpets_of_rectangles_have_a_bound_of_their_dimension() {
     // A word may be much smaller than its letters: each stretches one axis that the other shrinks.
     let turned = [[0.0, -0.25, 0.75, 0.0, 0.0, 0.0], [0.0, -0.25, 0.75, 0.0, 1.0, 0.0]];
     let upper = of(&turned).dimension.unwrap().upper;
-    // Of two letters the linear part is that of a turn by a half and -3/16: 4 (3/16)^(s/2 * 2) = 1 at log 4 / log(16/3).
+    // Of two letters the linear part is that of a turn by a half and -3/16: 4 (3/16)^(s/2 * 2) = 1 at log 4 /
+    // log(16/3).
     assert!((upper - 4f64.ln() / (16.0f64 / 3.0).ln()).abs() < 1e-8, "{upper}");
 }
