@@ -1,6 +1,6 @@
 //! Which pieces meet, with points of both.
 
-use frond_exact::{ExactError, ExactNumber, ExactNumbers, Meeting, meeting};
+use frond_exact::{ExactError, ExactNumber, ExactNumbers, Meeting, Number, System, meeting};
 
 type Rows = Vec<[f64; 6]>;
 
@@ -93,4 +93,20 @@ fn a_search_that_is_stopped_says_so() {
     let system = ExactNumbers::default().system(&rows).unwrap();
     assert!(!meeting(&system, 200, |_| true).unwrap().is_complete);
     assert!(!meeting(&system, 5000, |pairs| pairs < 50).unwrap().is_complete);
+}
+
+#[test]
+fn copies_of_states_give_way_to_their_maps() {
+    let row = |from: usize, factor: &str, shift: &str| {
+        (from, vec![Number::parse(factor).unwrap(), Number::parse(shift).unwrap()])
+    };
+    let halves = vec![row(1, "1/2", "0"), row(1, "1/2", "1/2")];
+    let system = System::of_rows(1, &[vec![row(1, "1", "0"), row(0, "1/3", "0")], halves]).unwrap();
+    let maps: Vec<_> = system.without_copies().unwrap().in_doubles()[0]
+        .iter()
+        .map(|map| (map.from, map.matrix[0][0], map.shift[0]))
+        .collect();
+    assert_eq!(maps, [(1, 0.5, 0.0), (1, 0.5, 0.5), (0, 1.0 / 3.0, 0.0)]);
+    let circle = System::of_rows(1, &[vec![row(1, "1", "0")], vec![row(0, "1", "0")]]).unwrap();
+    assert!(circle.without_copies().is_none());
 }

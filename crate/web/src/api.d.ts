@@ -161,7 +161,11 @@ export interface Analysis {
   /** An upper bound where a map is no similarity. Null where nothing is known. */
   dimension: Dimension | null;
   /** Null where there are no inner points, or pieces coincide. */
-  boundary: { dimension: Dimension } | null;
+  boundary: {
+    dimension: Dimension;
+    /** As a graph-directed shape; null where that has too many states or maps. */
+    states: DirectedMap[][] | null;
+  } | null;
   innerPoints: boolean | null;
   /** Why it is known, or not: the kind of theorem or limit, with its numbers. */
   reasons: { kind: string; count?: number; words?: [number[], number[]] }[];

@@ -1,7 +1,9 @@
 //! Exact numbers: formulas, proofs about what they mean, and what neighbours tell.
 
+use frond_core::{MAX_MAPS, MAX_STATES};
 use frond_exact::{
-    Analysis, Dimension, ExactNumber, ExactNumbers, MOST_NUMBERS, OpenSetCondition, Reason, Settings,
+    Analysis, Dimension, DoubleMap, ExactNumber, ExactNumbers, MOST_NUMBERS, OpenSetCondition, Reason,
+    Settings, System,
 };
 use frond_locus::ExactProof;
 use js_sys::Array;
@@ -122,7 +124,10 @@ fn write_analysis(found: &Analysis) -> Result<JsValue, JsValue> {
     let dimension = found.dimension.as_ref().map(PlainDimension::from);
     let boundary = found.boundary.as_ref();
     let boundary = match boundary.map(|boundary| PlainDimension::from(&boundary.dimension)) {
-        Some(dimension) => object(&[("dimension", write(&dimension)?)]),
+        Some(dimension) => {
+            let states = found.boundary.as_ref().and_then(|boundary| drawn(&boundary.system));
+            object(&[("dimension", write(&dimension)?), ("states", write(&states)?)])
+        }
         None => JsValue::NULL,
     };
     Ok(object(&[
@@ -133,6 +138,23 @@ fn write_analysis(found: &Analysis) -> Result<JsValue, JsValue> {
         ("innerPoints", found.has_inner_points.map_or(JsValue::NULL, JsValue::from)),
         ("reasons", found.reasons.iter().map(reason).collect::<Array>().into()),
     ]))
+}
+
+#[derive(Serialize)]
+struct PlainMap {
+    from: usize,
+    map: [f64; 6],
+}
+
+/// A system of the plane as a graph-directed shape, if a document can hold it.
+fn drawn(system: &System) -> Option<Vec<Vec<PlainMap>>> {
+    let states = system.without_copies().filter(|system| system.dimension() == 2)?.in_doubles();
+    let fits = states.len() <= MAX_STATES && states.iter().all(|maps| maps.len() <= MAX_MAPS);
+    let plain = |map: DoubleMap| {
+        let ([[a, b, ..], [c, d, ..], ..], [e, f, ..]) = (map.matrix, map.shift);
+        PlainMap { from: map.from, map: [a, b, c, d, e, f] }
+    };
+    fits.then(|| states.into_iter().map(|maps| maps.into_iter().map(plain).collect()).collect())
 }
 
 fn reason(reason: &Reason) -> JsValue {

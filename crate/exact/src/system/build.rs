@@ -17,6 +17,8 @@ use crate::system::space::Space;
 pub const MOST_STATES: usize = 1024;
 /// See [`MOST_STATES`].
 pub const MOST_MAPS: usize = 4096;
+/// How often a state is looked at before copies of copies are given up.
+const MOST_VISITS: usize = 4 * MOST_STATES;
 /// The most rationals that a vector is made of.
 const LARGEST_SIZE: usize = 32;
 
@@ -47,6 +49,11 @@ pub(crate) enum Scaling {
 }
 
 impl Edge {
+    /// Whether it is a state as it is.
+    fn is_copy(&self) -> bool {
+        self.linear == Matrix::identity(self.shift.len()) && self.shift.iter().all(Rational::is_zero)
+    }
+
     pub const fn is_similar(&self) -> bool {
         matches!(self.scaling, Scaling::Similar(_))
     }
@@ -248,6 +255,47 @@ impl System {
     #[must_use]
     pub const fn states(&self) -> usize {
         self.states.len()
+    }
+
+    /// The same shapes without maps that only copy a state as it is: that state's maps stand in for them. `None` where
+    /// such copies go in a circle, or would be more than [`MOST_MAPS`].
+    #[must_use]
+    pub fn without_copies(&self) -> Option<Self> {
+        let mut done: Vec<Option<Vec<Edge>>> = vec![None; self.states.len()];
+        // A state waits for those that it copies; more states than there are wait in a circle.
+        let mut waiting: Vec<usize> = (0..self.states.len()).rev().collect();
+        let (mut maps, mut visits) = (0, 0);
+        while let Some(&state) = waiting.last() {
+            visits += 1;
+            if done[state].is_some() {
+                waiting.pop();
+                continue;
+            }
+            let copied = |edge: &Edge| edge.is_copy().then_some(edge.from);
+            let missing = self.states[state].iter().filter_map(copied).find(|&from| done[from].is_none());
+            if let Some(missing) = missing {
+                if waiting.len() > 2 * self.states.len() || visits > MOST_VISITS {
+                    return None;
+                }
+                waiting.push(missing);
+                continue;
+            }
+            let edges: Vec<Edge> = self.states[state]
+                .iter()
+                .flat_map(|edge| match done[edge.from].as_ref().filter(|_| edge.is_copy()) {
+                    Some(others) => others.clone(),
+                    None => vec![edge.clone()],
+                })
+                .collect();
+            maps += edges.len();
+            if maps > MOST_MAPS {
+                return None;
+            }
+            done[state] = Some(edges);
+            waiting.pop();
+        }
+        let states = done.into_iter().collect::<Option<_>>()?;
+        Some(Self { space: self.space.clone(), states })
     }
 
     /// The maps of each state in doubles, to be drawn.

@@ -2,13 +2,14 @@
 import { useEffect, useState } from "preact/hooks";
 import { analyzeShown, endShown } from "#compute/exact";
 import { verdict } from "#compute/results";
+import { withDirected } from "#document/directed/changes";
 import { readExact } from "#document/exact/numbers";
-import { shown } from "#document/morph";
+import { selection, shown } from "#document/morph";
 import { announce, notify, wordsOf } from "#document/notice";
-import { edit, scene } from "#document/scene";
+import { edit, scene, undo } from "#document/scene";
 import { exactOf } from "#geometry/maps/exact";
 import { Button } from "#ui/controls/Button";
-import type { Analysis, MapRow, Reason } from "#wasm/api";
+import type { Analysis, DirectedMap, MapRow, Reason } from "#wasm/api";
 import { shownExact } from "../maps/exact-fields";
 import { setMaps } from "../maps/map-edits";
 import css from "./evidence.module.css";
@@ -114,16 +115,41 @@ function Answer({ found }: { found: Found }) {
   if (!found.analysis) return <p>{messages.onlyAtEnds}</p>;
   const rows = rowsOf(found.analysis);
   if (rows.length === 0) return <p>{messages.nothingFound}</p>;
+  const states = found.analysis.boundary?.states;
   return (
-    <dl>
-      {rows.map(([name, value]) => (
-        <div key={name}>
-          <dt>{name}</dt>
-          <dd>{value}</dd>
-        </div>
-      ))}
-    </dl>
+    <>
+      <dl>
+        {rows.map(([name, value]) => (
+          <div key={name}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+      {states && (
+        <Button description={messages.boundaryReplaces} onClick={() => openBoundary(states)}>
+          {messages.openBoundary}
+        </Button>
+      )}
+    </>
   );
+}
+
+/** The boundary in the place of the shape, as a graph-directed shape: one step to undo. */
+function openBoundary(states: DirectedMap[][]): void {
+  const end = endShown();
+  if (end === null) return;
+  const name = messages.boundaryOf(scene.peek()[end].name);
+  selection.value = null;
+  edit((before) => {
+    const { tool: _, view: __, ...rest } = withDirected(before, end, { name, states });
+    return { ...rest, t: end === "b" ? 1 : 0 };
+  });
+  notify({
+    kind: "info",
+    text: messages.boundaryOpened(name),
+    action: { label: messages.undo, run: undo },
+  });
 }
 
 const CONDITION = {
