@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { analyzeShown, endShown } from "#compute/exact";
 import { verdict } from "#compute/results";
-import { readExact } from "#document/exact/numbers";
+import { readExact } from "#document/editing/exact";
 import { shown } from "#document/morph";
 import { announce, notify, wordsOf } from "#document/notice";
 import { edit, scene } from "#document/scene";
