@@ -1,6 +1,6 @@
 import { readFile } from "node:fs/promises";
 import { beforeAll, describe, expect, it } from "vitest";
-import "../../www/src/document/exact/gallery";
+import "../../www/src/geometry/maps/exact-gallery";
 import init, * as exact from "../../www/pkg/frond-exact.js";
 import * as frond from "../../www/pkg/index.js";
 import { exactOf } from "../../www/src/geometry/maps/exact";

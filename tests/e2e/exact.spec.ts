@@ -114,3 +114,20 @@ test("decimals that come near to numbers can be taken for these", async ({ studi
   await page.getByRole("button", { name: "Undo", exact: true }).click();
   await expect(studio.verdict).toHaveText(/^No gap seen/);
 });
+
+test("the boundary of a tile opens as a shape of several states", async ({ studio, page }) => {
+  await studio.open("a=gosper&b=gasket&path=straight");
+  await studio.idle();
+  await studio.verdict.click();
+  await page.getByText("Dimension and neighbours").click();
+  await expect(page.getByTestId("analysis")).toContainText("1.129150, proved");
+  await page.getByRole("button", { name: "Open the boundary" }).click();
+  const { directed } = await studio.scene();
+  expect(directed?.a.name).toBe("Boundary of Gosper island");
+  // Six neighbours, and the whole.
+  expect(directed?.a.states.length).toBe(7);
+  await studio.drawn();
+  expect((await studio.look()).lit).toBeGreaterThan(500);
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  expect((await studio.scene()).directed).toBeUndefined();
+});

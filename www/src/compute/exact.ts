@@ -1,6 +1,6 @@
 /** What is proved of an end of the morph whose numbers mean more than their doubles say. */
 import { effect, untracked } from "@preact/signals";
-import "#document/exact/gallery";
+import "#geometry/maps/exact-gallery";
 import { held, selection, shown, shownPick } from "#document/morph";
 import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";

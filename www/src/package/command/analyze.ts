@@ -1,4 +1,5 @@
 /** What the ways in which the pieces of a shape touch tell of it, in words or as JSON. */
+import "#geometry/maps/exact-gallery";
 import { exactOf } from "#geometry/maps/exact";
 import { weighted } from "#geometry/maps/weighted";
 import type { Analysis, Dimension, Ifs } from "#wasm/api";
@@ -66,7 +67,7 @@ function wordsOf({ openSetCondition, neighbours, dimension, boundary, innerPoint
   const rows = [
     ["Open set condition", CONDITION[openSetCondition]],
     ["Neighbours", neighbours === null ? "not all found" : String(neighbours)],
-    ["Dimension", dimension === null ? "not decided: a map is no similarity" : dimensionOf(dimension)],
+    ["Dimension", dimension === null ? "not decided" : dimensionOf(dimension)],
     ["Inner points", innerPoints === null ? "not decided" : innerPoints ? "yes, proved" : "none, proved"],
     ...(boundary ? [["Dimension of the boundary", dimensionOf(boundary.dimension)]] : []),
   ] as const;

@@ -3,7 +3,7 @@ import { useEffect, useState } from "preact/hooks";
 import { analyzeShown, endShown } from "#compute/exact";
 import { verdict } from "#compute/results";
 import { withDirected } from "#document/directed/changes";
-import { readExact } from "#document/exact/numbers";
+import { readExact } from "#document/editing/exact";
 import { selection, shown } from "#document/morph";
 import { announce, notify, wordsOf } from "#document/notice";
 import { edit, scene, undo } from "#document/scene";

@@ -232,7 +232,7 @@ export function Proof({ connected }: { connected: boolean }) {
       <p role="status">{proofWords(now, connected)}</p>
       {now?.state === "there" && (
         <p>
-          {messages.checkElsewhere} <code>{CHECK}</code>
+          {messages.checkElsewhere} <code>{messages.checkCommand(FILE)}</code>
         </p>
       )}
     </div>
@@ -253,8 +253,6 @@ function proofWords(now: Proved | null, connected: boolean): string {
 }
 
 const FILE = "frond-proof.json";
-/** What anybody can run who has Node. */
-const CHECK = `npx frond-ifs check ${FILE}`;
 
 function saveProof(certificate: Certificate | ConnectedCertificate): void {
   try {

@@ -12,6 +12,8 @@ export const notExact = (values: string) =>
   `The stored decimals are only close to these values, so this is not a proof for them. Read as: ${values}.`;
 export const aboutExact = "The proof is about the exact numbers.";
 export const checkElsewhere = "To check the file yourself:";
+/** What anybody can run who has Node. */
+export const checkCommand = (file: string) => `npx frond-ifs check ${file}`;
 export const useExact = "Use the exact values";
 export const exactUsed = (values: string) => `The maps now mean ${values} exactly.`;
 export const exactNumbers = "Exact numbers";

@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { OwnShapes } from "#curve/OwnShapes";
+import { learnFormulas } from "#document/editing/exact";
 import { editFrame } from "#document/editing/frame";
-import { learnFormulas } from "#document/exact/numbers";
 import { ranks, selection } from "#document/morph";
 import { announce, notify, wordsOf } from "#document/notice";
 import { copyName, keepShape, LONGEST_NAME, ownShapes } from "#document/own-shapes";

@@ -1,5 +1,5 @@
 import { useRef } from "preact/hooks";
-import { formulaAt, formulasRead } from "#document/exact/numbers";
+import { formulaAt, formulasRead } from "#document/editing/exact";
 import { digitsApart } from "#format/numbers";
 import { compose, decompose, type Parts } from "#geometry/maps/affine2";
 import { NumberField } from "#ui/controls/NumberField";

@@ -1,5 +1,5 @@
 /** What is typed into the fields of a map, as exact numbers. */
-import { type ExactNumber, readExact } from "#document/exact/numbers";
+import { type ExactNumber, readExact } from "#document/editing/exact";
 import { compose, type Parts } from "#geometry/maps/affine2";
 import type { MapRow } from "#wasm/api";
 

@@ -1,5 +1,5 @@
 /** What entries of the maps of the gallery mean. Those of the other shapes are what their digits say. */
-import { GALLERY } from "#geometry/maps/exact";
+import { GALLERY } from "./exact";
 
 const hexagon = "1/3,2/3,sqrt(3)/3";
 const board = "1/3,2/3";
