@@ -51,7 +51,7 @@ test("Koch's curve, typed with thirds and cosines, is proved about these numbers
     const panel = page.getByRole("region", { name: "In one piece, proved" });
     await expect(panel).toContainText("Exact numbers");
     await panel.getByText("Dimension and neighbours").click();
-    await expect(panel.getByTestId("analysis")).toContainText("log 4 / log 3 = 1.261860, proved");
+    await expect(panel.getByTestId("analysis")).toContainText("log 4 / log 3 ≈ 1.261860, proved");
     await expect(panel.getByTestId("analysis")).toContainText("holds, proved");
     await panel.getByRole("button", { name: "Check the proof" }).click();
     await expect(panel).toContainText("The proof is about the exact numbers.");
@@ -64,7 +64,7 @@ test("Koch's curve, typed with thirds and cosines, is proved about these numbers
     expect(links.length).toBeGreaterThanOrEqual(3);
   });
 
-  await test.step("the link brings the numbers back, and a drag makes decimals of what it touches", async () => {
+  await test.step("the link brings the numbers back, and a step makes decimals of what it changes", async () => {
     await expect.poll(() => page.url()).toContain("a-exact=");
     const fragment = new URL(page.url()).hash.slice(1);
     await studio.open(fragment);

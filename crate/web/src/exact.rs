@@ -15,6 +15,8 @@ use crate::boundary::evidence::write_reason;
 use crate::boundary::resolution::read_options;
 use crate::boundary::value::{object, read, read_maps, rows, write};
 
+/// Pairs of pieces that are looked at for a proof: a second or two where numbers are long.
+const MOST_PAIRS: usize = 3000;
 /// The most pairs of pieces that one search looks at: some seconds.
 const MOST_BUDGET: f64 = 1e6;
 
@@ -56,7 +58,7 @@ pub fn prove_exact(
 ) -> Result<JsValue, JsValue> {
     let maps = rows(&read_maps(&ifs)?);
     let (numbers, options) = (read_exact(&numbers)?, read_options(options)?);
-    match frond_locus::prove_exact(&maps, &numbers, &options, Settings::default().budget) {
+    match frond_locus::prove_exact(&maps, &numbers, &options, MOST_PAIRS) {
         ExactProof::Connected { reason, certificate } => Ok(object(&[
             ("state", "connected".into()),
             ("reason", write_reason(&reason)?),
@@ -68,7 +70,7 @@ pub fn prove_exact(
         ExactProof::Undecided(why) => {
             Ok(object(&[("state", "undecided".into()), ("why", why.to_string().into())]))
         }
-        _ => Ok(object(&[("state", "undecided".into()), ("why", "".into())])),
+        _ => Ok(object(&[("state", "undecided".into()), ("why", "No proof was found.".into())])),
     }
 }
 

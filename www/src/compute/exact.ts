@@ -7,9 +7,8 @@ import { standIn } from "#document/stand-in";
 import { exactOf } from "#geometry/maps/exact";
 import type { Analysis, CertificateCheck, Connectedness, ExactProof, MapRow } from "#wasm/api";
 import { compileExact } from "#wasm/exact";
-import { Coalesce } from "#workers/pool/coalesce";
-import { submit } from "#workers/pool/engine";
-import { single } from "#workers/pool/protocol";
+import { epoch, submit } from "#workers/pool/engine";
+import { type Result, single, type Task } from "#workers/pool/protocol";
 import { publish, verdict } from "./results";
 
 /** Maps with the formulas that some of their entries mean. */
@@ -43,29 +42,44 @@ export type ExactAnswer = ExactProof & {
   numbers: readonly string[];
 };
 
-const queue = new Coalesce(submit);
+/** The request of each kind that waits for an answer: the latest alone is of interest. */
+const waiting = new Map<"exact" | "analysis", () => void>();
+
+/** Null where another request of this kind came, or the workers were lost. */
+function ask<K extends "exact" | "analysis">(task: Task<K>): Promise<Result<K> | null> {
+  waiting.get(task.kind)?.();
+  return new Promise((resolve, reject) => {
+    waiting.set(task.kind, () => resolve(null));
+    submit(single<K>(task.kind, 55, task, { accept: resolve, fail: reject }));
+  });
+}
+
+/** What was found last of a list of maps: the shape on the stage is judged often. */
+const known = new WeakMap<MapRow[], { written: string; answer: ExactAnswer }>();
+
 /** Asks for a proof about the numbers that are meant; null where there is none to be had. */
 export async function proveMeant(epsilon: number): Promise<ExactAnswer | null> {
   const meant = meantNow();
   if (!meant) return null;
-  const module = await compileExact();
-  return new Promise((resolve, reject) => {
-    queue.request(() =>
-      single<"exact">(
-        "exact",
-        56,
-        { kind: "exact", module, ...meant, epsilon },
-        {
-          accept: (answer) => resolve({ ...answer, numbers: meant.numbers }),
-          fail: reject,
-        },
-      ),
-    );
-  });
+  const { maps, numbers } = meant;
+  const written = `${epsilon} ${numbers.join()}`;
+  const before = known.get(maps);
+  if (before?.written === written) return before.answer;
+  const found = await ask<"exact">({ kind: "exact", module: await compileExact(), maps, numbers, epsilon });
+  if (!found) return null;
+  const answer = { ...found, numbers };
+  known.set(maps, { written, answer });
+  return answer;
 }
 
 /** What doubles leave open may be proved of the numbers that they stand for: then the verdict says so. */
 export function scheduleExact(): void {
+  effect(() => {
+    epoch.value;
+    untracked(() => {
+      for (const giveUp of waiting.values()) giveUp();
+    });
+  });
   effect(() => {
     const now = verdict.value;
     if (!now || now.stale || now.connectedness.verdict === "connected") return;
@@ -109,7 +123,8 @@ function lookCloser(maps: MapRow[], epsilon: number): void {
   if (endShown() === null) return;
   const accept = (connectedness: Connectedness) => {
     const now = current(maps);
-    if (now && connectedness.verdict === "disconnected") publish.verdict.value = { ...now, connectedness };
+    if (now && connectedness.verdict === "disconnected")
+      publish.verdict.value = { ...now, connectedness, closer: task.epsilon };
   };
   const task = { kind: "verdict", maps, epsilon: CLOSER * epsilon } as const;
   submit(single<"verdict">("closer", 54, task, { accept, fail: () => {} }));
@@ -120,15 +135,10 @@ export async function analyzeShown(): Promise<Analysis | null> {
   const end = endShown();
   if (end === null) return null;
   const shape = scene.peek()[end];
-  const module = await compileExact();
-  return new Promise((resolve, reject) => {
-    submit(
-      single<"analysis">(
-        "analysis",
-        55,
-        { kind: "analysis", module, maps: shape.maps, numbers: exactOf(shape) },
-        { accept: resolve, fail: reject },
-      ),
-    );
+  return ask<"analysis">({
+    kind: "analysis",
+    module: await compileExact(),
+    maps: shape.maps,
+    numbers: exactOf(shape),
   });
 }

@@ -35,13 +35,15 @@ export const told: ReadonlySignal<Told | null> = computed(() => {
   const now = verdict.value;
   const found = proof.value;
   if (!now || now.stale || found?.state !== "there" || !found.check.valid) return now?.connectedness ?? null;
+  const proved = "links" in found.certificate ? "connected" : "disconnected";
+  if (proved !== now.connectedness.verdict) return now.connectedness;
   return { ...now.connectedness, checked: true };
 });
 
 /** Makes the proof and has it checked. */
 export function prove(): void {
   const maps = shown.peek();
-  const epsilon = verdict.peek()?.epsilon ?? RESOLUTION;
+  const { closer, epsilon = RESOLUTION } = verdict.peek() ?? {};
   const connected = verdict.peek()?.connectedness.verdict === "connected";
   latest.value = { state: "asked", maps };
   const set = (found: Proof) => {
@@ -60,7 +62,7 @@ export function prove(): void {
           check: exact.check,
           numbers: exact.numbers,
         });
-      else proveDoubles(maps, epsilon, connected, set);
+      else proveDoubles(maps, closer ?? epsilon, connected, set);
     });
 }
 

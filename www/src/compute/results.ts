@@ -30,6 +30,8 @@ interface VerdictResult {
   uv: PathPoint;
   /** Formulas that entries of the maps mean, where it is about these and not about doubles. */
   numbers?: readonly string[];
+  /** What it was looked at with, where that was closer. */
+  closer?: number;
   /** The picture has moved on and the next answer is under way. */
   stale: boolean;
 }

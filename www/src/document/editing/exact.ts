@@ -1,6 +1,6 @@
 /** Formulas that entries of maps mean exactly, read by a module that is fetched for them. */
 import { type ReadonlySignal, signal } from "@preact/signals";
-import { sizes } from "#geometry/maps/exact";
+import { doubles } from "#geometry/maps/exact";
 import { loadExact } from "#wasm/exact";
 
 /** An exact number: the double nearest to it, and a short formula of it or its opposite. */
@@ -20,26 +20,26 @@ export const formulasRead: ReadonlySignal<number> = reads;
  */
 export async function readExact(formulas: readonly string[]): Promise<(ExactNumber | null)[]> {
   const { readNumbers } = await loadExact();
-  const found = readNumbers([...formulas]).map((one) =>
-    "problem" in one ? null : { value: one.value, formula: unsigned(linked(one.text)) },
-  );
-  for (const one of found) if (one) learn(one);
+  const found = readNumbers([...formulas]).map((one) => ("problem" in one ? null : one));
   reads.value++;
-  return found;
+  return found.map((one) => one && { value: one.value, formula: learn(linked(one.text), one.value) });
 }
 
-const learn = ({ formula, value }: ExactNumber) => sizes.set(formula, Math.abs(value));
+/** Learns a double, and gives the formula back; without a minus before all of it, since opposites are meant, too. */
+function learn(formula: string, value: number): string {
+  const isOpposite = /^-[^+-]*$/.test(formula);
+  const kept = isOpposite ? formula.slice(1) : formula;
+  doubles.set(kept, isOpposite ? -value : value);
+  return kept;
+}
 
 /** The formula among these that an entry of a map means; of its opposite with a minus. */
 export function formulaAt(x: number, formulas: readonly string[]): string | undefined {
-  const formula = formulas.find((one) => sizes.get(one) === Math.abs(x));
-  if (formula === undefined || x >= 0) return formula;
+  const formula = formulas.find((one) => Math.abs(doubles.get(one) ?? Number.NaN) === Math.abs(x));
+  if (formula === undefined || doubles.get(formula) === x) return formula;
   const isTerm = !/[+-]/.test(formula) || /^\(.*\)\/\d+$/.test(formula);
   return isTerm ? `-${formula}` : `-(${formula})`;
 }
-
-/** A formula stands for its opposite, too: a minus before all of it says nothing. */
-const unsigned = (formula: string) => (/^-[^+-]*$/.test(formula) ? formula.slice(1) : formula);
 
 /** In the words of a link. */
 const linked = (text: string) =>
@@ -50,12 +50,12 @@ const linked = (text: string) =>
 
 /** Learns the doubles of formulas that came with a link. */
 export async function learnFormulas(formulas: readonly string[]): Promise<void> {
-  const unknown = formulas.filter((formula) => !sizes.has(formula));
+  const unknown = formulas.filter((formula) => !doubles.has(formula));
   if (unknown.length === 0) return;
   const found = await readExact(unknown);
   for (const [k, formula] of unknown.entries()) {
     const one = found[k];
-    if (one) learn({ ...one, formula });
+    if (one) doubles.set(formula, one.value);
   }
   reads.value++;
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MapRow, Shape } from "#wasm/api";
-import { carriedExact, exactOf, GALLERY, sizes, withExact } from "./exact";
+import { carriedExact, doubles, exactOf, GALLERY, withExact } from "./exact";
 
 const third = 0.3333333333333333;
 const root = 0.28867513459481287;
@@ -32,7 +32,7 @@ describe("exact numbers of a shape", () => {
       ["1/6", 0.16666666666666666],
       ["sqrt(3)/6", root],
     ] as const)
-      sizes.set(formula, size);
+      doubles.set(formula, size);
     expect(carriedExact(koch, "Koch", first ? [first] : []).exact).toEqual(["1/3"]);
     expect(carriedExact(koch, "Koch", [[0.34, 0, 0, 0.34, 0, 0]])).toEqual({
       name: "Koch",
@@ -47,8 +47,8 @@ describe("exact numbers of a shape", () => {
       "1/3",
       "cos(40deg)/2",
     ]);
-    sizes.set("cos(40deg)/2", 0.38302222155948906);
-    sizes.set("1/3", third);
+    doubles.set("cos(40deg)/2", 0.38302222155948906);
+    doubles.set("1/3", third);
     expect(carriedExact(shape, "Own", shape.maps).exact).toEqual(["1/3"]);
   });
 

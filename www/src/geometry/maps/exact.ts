@@ -7,8 +7,8 @@ export const MOST_FORMULAS = 64;
 /** Formulas of shapes of the gallery, joined by commas: what the first picture needs does not wait for them. */
 export const GALLERY = new Map<string, string>();
 
-/** The sizes of formulas as doubles, as far as the module for exact numbers has read them. */
-export const sizes = new Map<string, number>();
+/** Formulas as doubles, as far as the module for exact numbers has read them. */
+export const doubles = new Map<string, number>();
 
 /** The formulas that hold for a shape. One of the gallery says none itself. */
 export const exactOf = ({ preset = "", exact }: Shape): readonly string[] =>
@@ -32,8 +32,9 @@ export function carriedExact(
 ): Shape {
   const entries = new Set(maps.flat().map(Math.abs));
   const all = [...new Set([...more, ...exactOf(before)])].filter((formula) => {
-    const size = sizes.get(formula);
-    return size === undefined || entries.has(size);
+    const double = doubles.get(formula);
+    // The latest that has a double is the one that it means.
+    return double === undefined || entries.delete(Math.abs(double));
   });
   return withExact({ name, maps }, all.slice(0, MOST_FORMULAS));
 }

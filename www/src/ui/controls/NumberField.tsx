@@ -1,5 +1,5 @@
 import "./field.css";
-import { useState } from "preact/hooks";
+import { useRef, useState } from "preact/hooks";
 import type { Parsed } from "#format/formula";
 import { addStep, formatNumber, keyStep, plainNumber, rangeProblem } from "#format/numbers";
 import { useOwnId } from "../id";
@@ -35,11 +35,11 @@ export interface NumberFieldProps {
   disabled?: boolean;
   /** Takes a value, or says in a sentence why it cannot be; then the last good value stays. */
   // biome-ignore lint/suspicious/noConfusingVoidType: a caller that cannot refuse returns nothing
-  onChange: (value: number) => string | undefined | void;
-  /** Finds out what a text means besides its value, before the field gives the value on; null: nothing. */
-  prepare?: (text: string, value: number) => Promise<unknown> | null;
-  /** The formula that the value means; a text that was typed for it goes before. */
-  formula?: string | undefined;
+  onChange: (value: number, prepared?: unknown) => string | undefined | void;
+  /** Finds out what a text means besides its value, before the field gives both on; null: nothing. */
+  prepare?: ((text: string, value: number) => Promise<unknown> | null) | undefined;
+  /** The formula that the value means; a text that was typed for it goes before. Null: it means what its digits say. */
+  formula?: string | null;
   /** The hand leaves the field: a run of steps ends. */
   onDone?: () => void;
   /** Where fields stand close, one place below them tells what is wrong: its id, and what takes the words. */
@@ -54,30 +54,32 @@ export function NumberField(props: NumberFieldProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
   const name = fieldName(label, symbol);
-  const shown = typedAs(name, value) ?? props.formula ?? formatNumber(value, digits);
+  const { formula } = props;
+  const typed = formula === null ? undefined : typedAs(name, value);
+  const shown = typed ?? formula ?? formatNumber(value, digits);
   const kept = messages.stays(formatNumber(value, digits));
   const tell = (words: string | null) => {
     setProblem(words);
     props.problems?.tell(words === null ? null : `${label}: ${words} ${kept}`);
   };
 
-  const offer = (next: number, text: string | null) => {
-    const refusal = rangeProblem(next, min, max) ?? props.onChange(next) ?? null;
+  // A formula takes a moment to be read: what is there by then is changed.
+  const latest = useRef({ props, waits: 0 });
+  latest.current.props = props;
+
+  const offer = (next: number, text: string | null, prepared?: unknown) => {
+    const refusal = rangeProblem(next, min, max) ?? latest.current.props.onChange(next, prepared) ?? null;
     tell(refusal);
     setDraft(refusal === null ? null : text);
   };
-  const take = (read: Parsed, text: string) => {
+  const take = (read: Parsed, text: string, prepared?: unknown) => {
     if (!read.ok) return tell(read.message);
     keepTyped(name, read.value, text);
-    offer(read.value, text);
+    offer(read.value, text, prepared);
   };
   /** Digits are taken at once, formulas when what reads them is there. */
   const commit = (then?: () => void) => {
     const text = draft;
-    const finish = (read: Parsed) => {
-      take(read, text ?? "");
-      then?.();
-    };
     // Text that was touched but says the same keeps the digits that are not shown.
     if (text === null || text.trim() === shown) {
       revert();
@@ -86,13 +88,21 @@ export function NumberField(props: NumberFieldProps) {
     }
     const plain = plainNumber(text);
     const known = plain === null ? null : ({ ok: true, value: plain } as const);
-    const prepared = known && (props.prepare?.(text, known.value) ?? null);
-    if (known && !prepared) return finish(known);
+    const preparing = known && (props.prepare?.(text, known.value) ?? null);
+    const wait = ++latest.current.waits;
+    if (known && !preparing) {
+      take(known, text);
+      then?.();
+      return;
+    }
     void (async () => {
       const read = known ?? (await fetchFormulas()).parseNumber(text, unit);
-      await (prepared ?? (read.ok && props.prepare?.(text, read.value)));
-      finish(read);
-    })();
+      const prepared = await (preparing ?? (read.ok ? props.prepare?.(text, read.value) : null));
+      // Another text came in the meantime.
+      if (latest.current.waits !== wait) return;
+      take(read, text, prepared ?? undefined);
+      then?.();
+    })().catch(() => {});
   };
   const revert = () => {
     setDraft(null);

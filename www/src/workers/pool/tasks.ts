@@ -19,6 +19,9 @@ const STRAIGHT_SAMPLES = 1001;
 /** Samples a side of the map by which a way is chosen to be looked at closely. */
 const COARSE = 25;
 
+/** Pairs of pieces that are looked at for neighbours: a second or two where numbers are long. */
+const MOST_PAIRS = 3000;
+
 /** How single points are decided: a degenerate locus, all of whose samples are that point. */
 const POINT = { width: 2, height: 2 } as const;
 
@@ -134,7 +137,7 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
     };
   },
   analysis: async (_, { module, maps, numbers }) =>
-    (await startExact(module)).analyze({ maps }, [...numbers], {}),
+    (await startExact(module)).analyze({ maps }, [...numbers], { budget: MOST_PAIRS }),
   candidates: ({ frond }, { from, to, limit }) => frond.candidates({ maps: from }, { maps: to }, { limit }),
   rate: ({ frond }, { from, to, options }) => frond.rateCandidate({ maps: from }, { maps: to }, options),
   ways: ({ frond }, { from, to, limit }) => frond.ways(from, to, { limit }),

@@ -9,7 +9,7 @@ import { announce, notify, wordsOf } from "#document/notice";
 import { edit, scene, undo } from "#document/scene";
 import { exactOf } from "#geometry/maps/exact";
 import { Button } from "#ui/controls/Button";
-import type { Analysis, DirectedMap, MapRow, Reason } from "#wasm/api";
+import type { Analysis, Dimension, DirectedMap, MapRow, Reason } from "#wasm/api";
 import { shownExact } from "../maps/exact-fields";
 import { setMaps } from "../maps/map-edits";
 import css from "./evidence.module.css";
@@ -36,30 +36,31 @@ export function Exact({ reason }: { reason: Reason | undefined }) {
 
 const list = (formulas: readonly string[]) => formulas.map((one) => shownExact(one)).join(", ");
 
-/** Doubles that are as near as this to a number, as a part of it, are taken for it. */
-const NEAR = 8 * Number.EPSILON;
-
 /** The maps of the end that is shown mean what the reason has read: "0.3333333333333333 is 1/3". */
 async function takeExact(assuming: readonly string[]): Promise<void> {
   const end = endShown();
   if (end === null) return;
-  const formulas = assuming.map((one) =>
-    one.slice(one.indexOf(" is ") + 4).replace(/\s|°/g, (c) => (c === "°" ? "deg" : "")),
-  );
+  const readings = assuming.map((one) => one.split(" is ") as [double: string, formula: string]);
   try {
-    const found = (await readExact(formulas)).flatMap((one) => one ?? []);
-    const exactly = (x: number) =>
-      found.find(({ value }) => Math.abs(Math.abs(x) - value) <= NEAR * value)?.value ?? Math.abs(x);
-    const { maps } = scene.peek()[end];
-    const next = maps.map((map) => map.map((x) => (x < 0 ? -exactly(x) : exactly(x))) as MapRow);
-    edit((before) =>
-      setMaps(
-        before,
-        end,
-        next,
-        found.map(({ formula }) => formula),
-      ),
+    const found = await readExact(
+      readings.map(([, formula]) => formula.replace(/\s/g, "").replace(/°/g, "deg")),
     );
+    const exactly = new Map<number, number>();
+    for (const [k, [double]] of readings.entries()) {
+      const one = found[k];
+      if (one) exactly.set(Number(double), Math.abs(one.value));
+    }
+    const formulas = found.flatMap((one) => one?.formula ?? []);
+    if (formulas.length < readings.length) {
+      notify({ kind: "info", text: messages.notAllExact });
+      return;
+    }
+    edit((before) => {
+      const next = before[end].maps.map(
+        (map) => map.map((x) => Math.sign(x) * (exactly.get(Math.abs(x)) ?? Math.abs(x))) as MapRow,
+      );
+      return setMaps(before, end, next, formulas);
+    });
     announce(messages.exactUsed(list(exactOf(scene.peek()[end]))));
   } catch (problem) {
     notify({ kind: "error", text: wordsOf(problem) });
@@ -97,6 +98,7 @@ function Neighbours() {
       data-testid="analysis"
     >
       <summary>{messages.analysis}</summary>
+      <p role="status">{found?.state === "asked" && messages.analyzing}</p>
       {found && <Answer found={found} />}
     </details>
   );
@@ -110,8 +112,8 @@ function whyNot(problem: unknown): string {
 }
 
 function Answer({ found }: { found: Found }) {
-  if (found.state === "asked") return <p role="status">{messages.analyzing}</p>;
-  if (found.state === "failed") return <p role="status">{found.why}</p>;
+  if (found.state === "failed") return <p>{found.why}</p>;
+  if (found.state === "asked") return null;
   if (!found.analysis) return <p>{messages.onlyAtEnds}</p>;
   const rows = rowsOf(found.analysis);
   if (rows.length === 0) return <p>{messages.nothingFound}</p>;
@@ -166,11 +168,12 @@ function rowsOf({
   innerPoints,
 }: Analysis): [string, string][] {
   const rows: [string, string][] = [];
-  const isKnown = dimension !== null || neighbours !== null || openSetCondition !== "undecided";
-  if (!isKnown) return rows;
+  // That it is no more than the plane says nothing.
+  const bound = dimension && (dimension.proved || dimension.upper < 2) ? dimension : null;
+  if (!bound && neighbours === null && openSetCondition === "undecided") return rows;
   rows.push([messages.openSetCondition, CONDITION[openSetCondition]]);
   if (neighbours !== null) rows.push([messages.neighbours, String(neighbours)]);
-  if (dimension) rows.push([messages.dimension, dimensionWords(dimension)]);
+  if (bound) rows.push([messages.dimension, dimensionWords(bound)]);
   if (innerPoints !== null) rows.push([messages.innerPoints, innerPoints ? messages.yes : messages.no]);
   if (boundary) rows.push([messages.dimensionOfBoundary, dimensionWords(boundary.dimension)]);
   return rows;
@@ -179,8 +182,9 @@ function rowsOf({
 /** Digits of a dimension that are shown. */
 const DIGITS = 6;
 
-function dimensionWords({ value, upper, proved, exact }: NonNullable<Analysis["dimension"]>): string {
-  if (!proved) return messages.atMostOf(upper.toFixed(DIGITS));
+function dimensionWords({ value, upper, proved, exact }: Dimension): string {
+  // No bound is shown below what it is.
+  if (!proved) return messages.atMostOf((Math.ceil(upper * 10 ** DIGITS) / 10 ** DIGITS).toFixed(DIGITS));
   if (exact !== null && /^\d+$/.test(exact)) return messages.proved(exact);
   const words = value.toFixed(DIGITS);
   return exact === null ? messages.proved(words) : messages.equals(exact, words);

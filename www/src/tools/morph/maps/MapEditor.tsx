@@ -6,7 +6,7 @@ import { ranks, selection } from "#document/morph";
 import { announce, notify, wordsOf } from "#document/notice";
 import { copyName, keepShape, LONGEST_NAME, ownShapes } from "#document/own-shapes";
 import { originOf } from "#document/presets";
-import { edit, endGesture } from "#document/scene";
+import { edit, endGesture, scene } from "#document/scene";
 import { UNIT } from "#geometry/boxes";
 import { mapWords, reflect } from "#geometry/maps/affine2";
 import { beside, oneMore } from "#geometry/maps/beside";
@@ -63,6 +63,12 @@ interface MapEditorProps {
 /** One end by numbers, map by map or as a whole; on the stage the same are parallelograms to drag. */
 export function MapEditor({ target, chosen, whole }: MapEditorProps) {
   const heading = useRef<HTMLHeadingElement>(null);
+  const exact = exactOf(shapes[target].value);
+  const written = exact.join();
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the same formulas are read once
+  useEffect(() => {
+    void learnFormulas(exact).catch(() => {});
+  }, [written]);
   // The button that was pressed is further down now.
   useEffect(() => {
     const side = heading.current?.closest(".side");
@@ -118,11 +124,6 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
   const shape = shapes[target].value;
   const { maps } = shape;
   const exact = exactOf(shape);
-  const written = exact.join();
-  // biome-ignore lint/correctness/useExhaustiveDependencies: the same formulas are read once
-  useEffect(() => {
-    void learnFormulas(exact).catch(() => {});
-  }, [written]);
   const origin = originOf(shape);
   const pick = (map: number | null) => {
     setProblem(null);
@@ -144,12 +145,12 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
     pick(then);
     announce(said);
   };
-  const change = (index: number, map: MapRow, gesture?: string, exact?: readonly string[]) =>
-    offer(
-      maps.map((old, i) => (i === index ? map : old)),
-      gesture,
-      exact,
-    );
+  const change = (index: number, map: MapRow, gesture?: string, exact?: readonly string[]) => {
+    const { maps: now } = scene.peek()[target];
+    // A formula that was waited for is of a map that has changed since.
+    if (now[index] !== maps[index]) return undefined;
+    return offer(now.with(index, map), gesture, exact);
+  };
 
   /** Where maps are put. */
   const frame = () => editFrame.peek()?.box ?? UNIT;
@@ -166,7 +167,7 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
             map={map}
             among={maps}
             exact={exact}
-            onChange={(next, field, more) => change(index, next, `map-${target}-${index}-${field}`, more)}
+            onChange={(next, more, field) => change(index, next, `map-${target}-${index}-${field}`, more)}
             onDone={endGesture}
           />
           <MapTools

@@ -1,13 +1,12 @@
-import { useRef } from "preact/hooks";
-import { formulaAt, formulasRead } from "#document/editing/exact";
-import { digitsApart } from "#format/numbers";
+import { type ExactNumber, formulaAt, formulasRead } from "#document/editing/exact";
+import { digitsApart, plainNumber } from "#format/numbers";
 import { compose, decompose, type Parts } from "#geometry/maps/affine2";
 import { NumberField } from "#ui/controls/NumberField";
 import { useProblems } from "#ui/controls/problems";
-import { fieldName, formulaTyped, typedAs } from "#ui/controls/typed";
+import { fieldName, typedAs } from "#ui/controls/typed";
 import equationsCss from "#ui/shapes/equations.module.css";
 import type { MapRow } from "#wasm/api";
-import { type ExactRow, exactEntry, exactParts, shownExact } from "./exact-fields";
+import { exactEntry, exactParts, type LinearPart, shownExact } from "./exact-fields";
 import mapsCss from "./maps.module.css";
 import * as messages from "./messages";
 
@@ -15,13 +14,13 @@ interface MapFieldsProps {
   map: MapRow;
   /** All maps of the shape: what differs among them is seen to differ. */
   among?: readonly MapRow[];
-  /** Formulas that entries of these maps mean. */
+  /** Formulas that entries of these maps mean. Without it, numbers are what their digits say. */
   exact?: readonly string[];
   /**
-   * Takes the map, or says why it cannot be. `field` names what was changed, so that a run of steps is one undo;
-   * `exact`: what some of its entries mean from now on.
+   * Takes the map, and what some of its entries mean from now on, or says why it cannot be. `field` names what was
+   * changed, so that a run of steps is one undo.
    */
-  onChange: (map: MapRow, field: string, exact?: readonly string[]) => string | undefined;
+  onChange: (map: MapRow, exact: readonly string[], field: string) => string | undefined;
   onDone: () => void;
 }
 
@@ -36,51 +35,76 @@ const PARTS: readonly { key: keyof Parts; label: string; step: number; digits: n
 
 const LABELS = Object.fromEntries(PARTS.map(({ key, label }) => [key, label])) as Record<keyof Parts, string>;
 
+/** Parts that are entries themselves. */
+const MOVES: Partial<Record<keyof Parts, 4 | 5>> = { moveX: 4, moveY: 5 };
+const LINEAR = [0, 1, 2, 3] as const;
+
 /** Turn, stretch and move: how a hand would say it. A negative stretch mirrors. */
-export function PartFields({ map, among = [map], onChange, onDone }: MapFieldsProps) {
+export function PartFields({ map, among = [map], exact = [], onChange, onDone }: MapFieldsProps) {
   const parts = decompose(map);
   const all = among.map(decompose);
   const { tellOf, below } = useProblems();
-  const prepared = useRef<ExactRow | null>(null);
+  formulasRead.value;
+  // What was typed into the other fields holds while it is what the entries mean.
+  const isMeant = LINEAR.some((entry) => formulaAt(map[entry], exact) !== undefined);
   return (
     <>
       <div class={mapsCss["map-fields"]}>
-        {PARTS.map(({ key, label, step, digits, unit }) => (
-          <NumberField
-            key={key}
-            label={label}
-            value={parts[key]}
-            step={step}
-            digits={digitsApart(
-              all.map((one) => one[key]),
-              digits,
-            )}
-            {...(unit === undefined ? {} : { unit })}
-            prepare={(text, value) => {
-              const found = exactParts({ ...parts, [key]: value }, (other) =>
-                other === key ? formulaTyped(text) : typedAs(fieldName(LABELS[other]), parts[other]),
-              );
-              return (
-                found?.then((row) => {
-                  prepared.current = row;
-                }) ?? null
-              );
-            }}
-            onChange={(value) => {
-              const found = prepared.current;
-              prepared.current = null;
-              return found
-                ? onChange(found.row, key, found.exact)
-                : onChange(compose({ ...parts, [key]: value }), key);
-            }}
-            onDone={onDone}
-            problems={tellOf(key)}
-          />
-        ))}
+        {PARTS.map(({ key, label, step, digits, unit }) => {
+          const entry = MOVES[key];
+          const typed = (other: keyof Parts) =>
+            isMeant ? typedAs(fieldName(LABELS[other]), parts[other]) : undefined;
+          return (
+            <NumberField
+              key={key}
+              label={label}
+              value={parts[key]}
+              step={step}
+              digits={digitsApart(
+                all.map((one) => one[key]),
+                digits,
+              )}
+              {...(unit === undefined ? {} : { unit })}
+              {...(entry === undefined
+                ? isMeant
+                  ? {}
+                  : { formula: null }
+                : { formula: shownExact(formulaAt(map[entry], exact)) ?? null })}
+              prepare={(text, value) =>
+                entry === undefined
+                  ? exactParts({ ...parts, [key]: value }, (other) =>
+                      other === key ? formulaIn(text) : typed(other),
+                    )
+                  : formulaIn(text) === undefined
+                    ? null
+                    : exactEntry(text, value)
+              }
+              onChange={(value, prepared) => {
+                if (entry !== undefined) return onChange(...withEntry(map, entry, value, prepared), key);
+                const found = prepared as LinearPart | undefined;
+                const [a, b, c, d] = found?.linear ?? compose({ ...parts, [key]: value });
+                return onChange([a, b, c, d, map[4], map[5]], found?.exact ?? [], key);
+              }}
+              onDone={onDone}
+              problems={tellOf(key)}
+            />
+          );
+        })}
       </div>
       {below}
     </>
   );
+}
+
+/** A text that is more than a plain number. */
+const formulaIn = (text: string) => (plainNumber(text) === null ? text : undefined);
+
+/** A map with another entry, which may mean a formula. */
+function withEntry(map: MapRow, entry: number, value: number, prepared: unknown): [MapRow, string[]] {
+  const found = prepared as ExactNumber | undefined;
+  const next: MapRow = [...map];
+  next[entry] = found?.value ?? value;
+  return [next, found ? [found.formula] : []];
 }
 
 const ROWS = [
@@ -103,9 +127,8 @@ const ROWS = [
 ] as const;
 
 /** The six numbers, laid out as the two equations that they are. */
-export function NumberFields({ map, among = [map], exact = [], onChange, onDone }: MapFieldsProps) {
+export function NumberFields({ map, among = [map], exact, onChange, onDone }: MapFieldsProps) {
   const { tellOf, below } = useProblems();
-  const prepared = useRef<{ value: number; formula: string } | null>(null);
   formulasRead.value;
   return (
     <>
@@ -130,21 +153,11 @@ export function NumberFields({ map, among = [map], exact = [], onChange, onDone 
                   among.map((one) => one[index]),
                   5,
                 )}
-                formula={shownExact(formulaAt(map[index], exact))}
-                prepare={(text, value) =>
-                  formulaTyped(text) === undefined
-                    ? null
-                    : exactEntry(text, value).then((one) => {
-                        prepared.current = one;
-                      })
+                {...(exact ? { formula: shownExact(formulaAt(map[index], exact)) ?? null } : {})}
+                prepare={
+                  exact && ((text, value) => (formulaIn(text) === undefined ? null : exactEntry(text, value)))
                 }
-                onChange={(value) => {
-                  const found = prepared.current;
-                  prepared.current = null;
-                  const next: MapRow = [...map];
-                  next[index] = found?.value ?? value;
-                  return onChange(next, symbol, found ? [found.formula] : []);
-                }}
+                onChange={(value, prepared) => onChange(...withEntry(map, index, value, prepared), symbol)}
                 onDone={onDone}
                 problems={tellOf(symbol)}
               />

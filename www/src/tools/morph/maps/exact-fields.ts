@@ -1,10 +1,9 @@
 /** What is typed into the fields of a map, as exact numbers. */
 import { type ExactNumber, readExact } from "#document/editing/exact";
 import { compose, type Parts } from "#geometry/maps/affine2";
-import type { MapRow } from "#wasm/api";
 
-export interface ExactRow {
-  row: MapRow;
+export interface LinearPart {
+  linear: [a: number, b: number, c: number, d: number];
   /** Formulas of those of its entries that are no doubles. */
   exact: string[];
 }
@@ -31,48 +30,45 @@ export const shownExact = (formula: string | undefined): string | undefined =>
     .replace(/\*\*/g, "^")
     .replace(/-/g, "−");
 
+const PARTS = ["turn", "stretchX", "stretchY", "slant"] as const;
+const UNITS: Partial<Record<keyof Parts, string>> = { turn: "°", stretchX: "×", stretchY: "×" };
+
 /**
- * The entries of a map whose turn, stretch and the like were typed, some as formulas; null where none was, or one is
+ * The linear part of a map whose turn, stretch and slant were typed, some as formulas; null where none was, or one is
  * neither a formula nor a short decimal. `typed` has the texts of formulas.
  */
 export function exactParts(
   parts: Parts,
   typed: (key: keyof Parts) => string | undefined,
-): Promise<ExactRow | null> | null {
-  const keys = Object.keys(parts) as (keyof Parts)[];
-  return keys.some((key) => typed(key) !== undefined) ? composed(parts, keys, typed) : null;
+): Promise<LinearPart | null> | null {
+  return PARTS.some((key) => typed(key) !== undefined) ? composed(parts, typed) : null;
 }
 
 async function composed(
   parts: Parts,
-  keys: readonly (keyof Parts)[],
   typed: (key: keyof Parts) => string | undefined,
-): Promise<ExactRow | null> {
+): Promise<LinearPart | null> {
   const { formulaOf } = await formulas();
-  const texts = new Map<keyof Parts, string>();
-  for (const key of keys) {
+  const texts: string[] = [];
+  for (const key of PARTS) {
     const words = typed(key);
-    const text =
-      words === undefined ? decimalOf(parts[key]) : formulaOf(words, key === "turn" ? "°" : undefined);
+    const text = words === undefined ? decimalOf(parts[key]) : formulaOf(words, UNITS[key]);
     if (text === null) return null;
-    texts.set(key, `(${text})`);
+    texts.push(`(${text})`);
   }
-  const [turn, x, y, slant] = (["turn", "stretchX", "stretchY", "slant"] as const).map((key) =>
-    texts.get(key),
-  );
+  const [turn, x, y, slant] = texts;
   const [cos, sin] = [`cos(${turn}deg)`, `sin(${turn}deg)`];
   const found = await read([
     `${x}*${cos}`,
     `${slant}*${cos}-${y}*${sin}`,
     `${x}*${sin}`,
     `${slant}*${sin}+${y}*${cos}`,
-    `${texts.get("moveX")}`,
-    `${texts.get("moveY")}`,
   ]);
   const plain = compose(parts);
-  const row = plain.map((x, k) => found[k]?.value ?? x) as MapRow;
-  if (!row.every((x, k) => found[k] && near(x, plain[k] ?? Number.NaN))) return null;
-  return { row, exact: found.flatMap((one) => one?.formula ?? []).filter((formula) => !isDyadic(formula)) };
+  const linear = found.map((one, k) => (one && near(one.value, plain[k] ?? Number.NaN) ? one.value : null));
+  if (linear.includes(null)) return null;
+  const exact = found.flatMap((one) => one?.formula ?? []).filter((formula) => !isDyadic(formula));
+  return { linear: linear as LinearPart["linear"], exact };
 }
 
 /** A short decimal that says all of a number. */
