@@ -57,8 +57,8 @@ def items(value, count=None):
 
 def number(value):
     need(type(value) in (int, float), "something is no number")
+    need(abs(value) < 2**1024 - 2**970, "a number is too large")
     value = float(value)
-    need(abs(value) != float("inf"), "a number is too large")
     return Fraction(value)
 
 

@@ -16,6 +16,8 @@ pub(crate) const DEGREE: usize = 16;
 /// Characters of one fraction, and of all fractions together.
 pub(crate) const NUMERAL: usize = 1000;
 pub(crate) const NUMERALS: usize = 200_000;
+/// Bytes of all entries over one denominator.
+pub(crate) const HELD: usize = 64 << 20;
 
 pub(crate) fn at_most(count: usize, most: usize, what: &'static str) -> Result<(), Refused> {
     if count > most { Err(Refused::TooLarge { what, most: most as u64 }) } else { Ok(()) }

@@ -259,6 +259,38 @@ fn other_polynomials_of_the_root_do_as_well() {
     assert!(proof.check().is_ok(), "{:?}", proof.check());
 }
 
+/// All numbers are brought over one denominator, which is as long as all of them together.
+#[test]
+fn numbers_that_would_fill_the_memory_are_refused() {
+    let double = Certificate {
+        maps: vec![[0.25; 6]; 256],
+        polygon: vec![[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]],
+        letters: 1,
+        side: (0..256).map(|k| u8::from(k > 0)).collect(),
+        pairs: vec![Pair { u: vec![0], v: vec![1], normal: [1.0, 0.0] }],
+        exact: None,
+    };
+    let value = |k: usize| (0..16).map(|power| format!("1/{}", 1_000_003 + 2 * (16 * k + power))).collect();
+    let entry = |k: usize| ExactEntry { map: (k / 6) as u8, entry: (k % 6) as u8, value: value(k) };
+    let polynomial = (0..17).map(|k| {
+        if k == 16 {
+            "1"
+        } else if k == 0 {
+            "-2"
+        } else {
+            "0"
+        }
+        .to_owned()
+    });
+    let exact = Exact {
+        polynomial: polynomial.collect(),
+        root: ["104/100", "105/100"].map(str::to_owned),
+        entries: (0..1200).map(entry).collect(),
+    };
+    let why = check(&Certificate { exact: Some(exact), ..double }).unwrap_err();
+    assert!(matches!(why, Refused::TooLarge { what, .. } if what.contains("denominator")), "{why}");
+}
+
 #[test]
 fn what_is_of_no_form_is_refused() {
     for text in ["", "1/0", "1.5", "1e1", "1/3 ", "+1", "1/-3", "x"] {

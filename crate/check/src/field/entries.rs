@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 
 use crate::exact::{Exact, ExactEntry};
-use crate::limits::{DEGREE, NUMERAL, NUMERALS, at_most};
+use crate::limits::{DEGREE, HELD, NUMERAL, NUMERALS, at_most};
 use crate::refused::Refused;
 use crate::whole::{Whole, unit};
 use crate::work::{digits, product};
@@ -55,6 +55,8 @@ pub(crate) fn cost_reading(exact: &Exact, maps: &[[f64; 6]]) -> Result<u64, Refu
     let highest = length(&polynomial[degree]);
     let doubles = Whole::of(maps).ok_or(Refused::NotFinite { place: "maps" })?.bits;
     let all = texts().map(|text| length(text)).sum::<u64>() + degree as u64 * highest + doubles;
+    let numbers = texts().count() + 6 * maps.len();
+    at_most(numbers.saturating_mul(all as usize / 8), HELD, "bytes of exact numbers over one denominator")?;
     let fraction = |text: &String| {
         let own = length(text);
         // Euclid's algorithm takes three steps for two digits, at the most; what is before it one division.
