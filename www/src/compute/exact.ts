@@ -6,7 +6,7 @@ import { scene } from "#document/scene";
 import { standIn } from "#document/stand-in";
 import { exactOf } from "#geometry/maps/exact";
 import type { Analysis, CertificateCheck, Connectedness, ExactProof, MapRow } from "#wasm/api";
-import { compileExact } from "#wasm/exact";
+import { compileExact, exactAtHand } from "#wasm/exact";
 import { epoch, submit } from "#workers/pool/engine";
 import { type Result, single, type Task } from "#workers/pool/protocol";
 import { publish, verdict } from "./results";
@@ -88,7 +88,7 @@ export function scheduleExact(): void {
 }
 
 async function settle(maps: MapRow[], epsilon: number): Promise<void> {
-  const answer = await proveMeant(epsilon);
+  const answer = exactAtHand() ? await proveMeant(epsilon) : null;
   const now = current(maps);
   if (!now) return;
   const { connectedness } = now;

@@ -4,8 +4,17 @@ import { compiled, once } from "./module";
 /** Exact numbers, and what is proved of maps that mean them, in a module that is fetched where there are some. */
 export type Exact = typeof import("../../pkg/frond-exact.js");
 
+let fetched = false;
+
+/** Whether it is there, or may be had: without a network a browser complains of what it cannot fetch. */
+export const exactAtHand = (): boolean => fetched || navigator.onLine;
+
 /** Fetched once for this thread and for workers. */
-export const compileExact = once(() => compiled(wasmUrl));
+export const compileExact = once(async () => {
+  const module = await compiled(wasmUrl);
+  fetched = true;
+  return module;
+});
 
 /** Starts it on this thread; a worker is handed the module. */
 export const loadExact = once(() => startExact(compileExact()));
