@@ -128,6 +128,6 @@ test("the boundary of a tile opens as a shape of several states", async ({ studi
   expect(directed?.a.states.length).toBe(7);
   await studio.drawn();
   expect((await studio.look()).lit).toBeGreaterThan(500);
-  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  await page.getByRole("button", { name: "Undo", exact: true }).first().click();
   expect((await studio.scene()).directed).toBeUndefined();
 });

@@ -1,6 +1,6 @@
 /** Shapes that a person keeps, in this browser: the gallery lists them beside its own. */
 import { type ReadonlySignal, signal } from "@preact/signals";
-import { exactOf, MOST_FORMULAS, withExact } from "#geometry/maps/exact";
+import { exactOf, withExact } from "#geometry/maps/exact";
 import type { DirectedMap, DirectedShape, MapRow, Shape } from "#wasm/api";
 import * as messages from "./messages";
 
@@ -86,17 +86,13 @@ function sound(row: unknown): OwnShape | null {
     return typeof outline === "string" ? { ...one, outline } : one;
   }
   if (maps.length === 0 || maps.length > MOST_MAPS || !maps.every(isMap)) return null;
-  const one = { id, name: name.slice(0, LONGEST_NAME), maps, ...(areFormulas(exact) ? { exact } : {}) };
+  const one = { id, name: name.slice(0, LONGEST_NAME), maps, ...formulas(exact) };
   return areWeights(weights, maps.length) ? { ...one, weights } : one;
 }
 
-/** As a link takes them: `crate/scene/src/link/words.rs`. */
-function areFormulas(list: unknown): list is string[] {
-  return (
-    Array.isArray(list) &&
-    list.length <= MOST_FORMULAS &&
-    list.every((one) => /^[a-z0-9./()*+-]{1,200}$/.test(one))
-  );
+/** Those that a link takes: `crate/scene/src/link/words.rs`. */
+function formulas(list: unknown) {
+  return Array.isArray(list) ? { exact: list.filter((one) => /^[a-z0-9./()*+-]{1,200}$/.test(one)) } : {};
 }
 
 function areWeights(list: unknown, count: number): list is number[] {

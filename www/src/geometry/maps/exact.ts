@@ -2,7 +2,7 @@
 import type { MapRow, Shape } from "#wasm/api";
 
 /** A link holds no more of a shape. */
-export const MOST_FORMULAS = 64;
+const MOST_FORMULAS = 64;
 
 /** Formulas of shapes of the gallery, joined by commas: what the first picture needs does not wait for them. */
 export const GALLERY = new Map<string, string>();

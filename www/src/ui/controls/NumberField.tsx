@@ -86,23 +86,25 @@ export function NumberField(props: NumberFieldProps) {
       then?.();
       return;
     }
-    const plain = plainNumber(text);
-    const known = plain === null ? null : ({ ok: true, value: plain } as const);
-    const preparing = known && (props.prepare?.(text, known.value) ?? null);
     const wait = ++latest.current.waits;
-    if (known && !preparing) {
-      take(known, text);
-      then?.();
-      return;
-    }
-    void (async () => {
-      const read = known ?? (await fetchFormulas()).parseNumber(text, unit);
-      const prepared = await (preparing ?? (read.ok ? props.prepare?.(text, read.value) : null));
-      // Another text came in the meantime.
+    const finish = (read: Parsed, prepared?: unknown) => {
+      // Another text may have come in the meantime.
       if (latest.current.waits !== wait) return;
-      take(read, text, prepared ?? undefined);
+      take(read, text, prepared);
       then?.();
-    })().catch(() => {});
+    };
+    const prepare = (read: Parsed) => {
+      const preparing = read.ok && props.prepare?.(text, read.value);
+      if (preparing) void preparing.then((prepared) => finish(read, prepared ?? undefined));
+      else finish(read);
+    };
+    const plain = plainNumber(text);
+    if (plain === null)
+      fetchFormulas().then(
+        ({ parseNumber }) => prepare(parseNumber(text, unit)),
+        () => {},
+      );
+    else prepare({ ok: true, value: plain });
   };
   const revert = () => {
     setDraft(null);

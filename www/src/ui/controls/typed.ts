@@ -12,18 +12,12 @@ export const fieldName = (label: string, symbol = "") => `${label} ${symbol}`;
 /** A value that went through turns and stretches comes back with other last digits. */
 const keyOf = (field: string, value: number) => `${field} ${value.toPrecision(14)}`;
 
-/** The text, if it is more than plain digits. */
-export function formulaTyped(text: string): string | undefined {
-  const words = text.trim();
-  return /[a-z√°^/*+()]/i.test(words.replace(/^[-+]|e[-−+]?\d+$/gi, "")) ? words : undefined;
-}
-
 /** Keeps what was typed into a field of this name, unless it is plain digits, which the field can write itself. */
 export function keepTyped(field: string, value: number, text: string): void {
   const key = keyOf(field, value);
   kept.delete(key);
-  const words = formulaTyped(text);
-  if (words === undefined || words.length > LONGEST) return;
+  const words = text.trim();
+  if (words.length > LONGEST || !/[a-z√°^/*+()]/i.test(words.replace(/^[-+]|e[-−+]?\d+$/gi, ""))) return;
   kept.set(key, words);
   for (const oldest of kept.keys()) {
     if (kept.size <= MOST_KEPT) break;

@@ -1,5 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
-import { type Proof as Proved, proof, prove, told } from "#compute/proof";
+import { type Proof as Proved, proof, told } from "#compute/proof";
+import { prove } from "#compute/prove";
 import { verdict } from "#compute/results";
 import { boxOf } from "#document/framing";
 import { shown, shownColours } from "#document/morph";
