@@ -1,10 +1,8 @@
 //! Whether a shape is in one piece, and proofs of it that can be handed on.
 
-use frond_check::{
-    Address, Certificate, CheckedProof, ConnectedCertificate, Far, Link, Pair, Proof, Squares,
-};
+use frond_check::{Certificate, CheckedProof, ConnectedCertificate, Proof};
 use frond_core::{Affine2, Ifs, IfsError};
-use frond_locus::{CertifiedLink, Connectedness, Options, Reason, Separation};
+use frond_locus::{Connectedness, Options, Reason};
 use pyo3::prelude::*;
 use serde::Serialize;
 
@@ -120,15 +118,7 @@ pub(crate) fn certificate(
     compute(py, || {
         let ifs = system(maps, None)?;
         let Some(found) = frond_locus::certificate(&ifs, &options(asked)) else { return Ok(None) };
-        let pair = |pair: Separation| Pair { u: pair.u, v: pair.v, normal: pair.normal.to_array() };
-        Ok(Some(write(&Certificate {
-            maps: found.maps,
-            polygon: found.polygon.into_iter().map(|corner| corner.to_array()).collect(),
-            letters: found.letters,
-            side: found.side,
-            pairs: found.pairs.into_iter().map(pair).collect(),
-            exact: None,
-        })?))
+        Ok(Some(write(&Certificate::from(found))?))
     })
 }
 
@@ -143,33 +133,8 @@ pub(crate) fn connected_certificate(
     compute(py, || {
         let ifs = system(maps, None)?;
         let Some(found) = frond_locus::connected_certificate(&ifs, &options(asked)) else { return Ok(None) };
-        Ok(Some(write(&ConnectedCertificate {
-            maps: found.maps,
-            polygon: found.polygon.into_iter().map(|corner| corner.to_array()).collect(),
-            gap: found.gap,
-            near: found.near,
-            links: found.links.into_iter().map(certified).collect(),
-            squares: found.squares.map(|squares| Squares {
-                size: squares.size.to_array(),
-                cells: squares.cells.into_iter().map(|([x, y], [k, l])| (x, y, k, l)).collect(),
-            }),
-            exact: None,
-        })?))
+        Ok(Some(write(&ConnectedCertificate::from(found))?))
     })
-}
-
-fn certified(link: CertifiedLink) -> Link {
-    let address = |[head, repeat]: [Vec<u8>; 2]| Address { head, repeat };
-    match link {
-        CertifiedLink::Point(addresses) => Link::Point { addresses: addresses.map(address) },
-        CertifiedLink::Between(addresses) => Link::Between { addresses: addresses.map(address) },
-        CertifiedLink::Area(pair) => Link::Area { pair },
-        CertifiedLink::Difference(pair, steps) => Link::Difference { pair, steps },
-        CertifiedLink::Crossing(words, far) => {
-            let far = far.map(|far| Far { tail: far.tail, direction: far.direction.to_array() });
-            Link::Crossing { words, far }
-        }
-    }
 }
 
 /// Replays a certificate of either kind, given as JSON: whether it is valid, what is to be said of it, its pairs, its
