@@ -130,6 +130,7 @@ describe("formulaOf", () => {
     expect(formulaOf("0,25")).toBe("0.25");
     expect(formulaOf("½ π²")).toBe("(1/2)pi**2");
     expect(formulaOf("33%")).toBe("(33)/100");
+    expect(formulaOf("2^(1/3)")).toBe("2**(1/3)");
   });
 
   it("gives an angle in degrees", () => {
